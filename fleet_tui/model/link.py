@@ -90,13 +90,6 @@ class LinkState(Struct, frozen=True):
         return max(self.since, self.subscribed_at)
 
     @property
-    def unsourced_text(self) -> str:
-        """Return the remedy for messages that the bridge lacks, empty if it has all."""
-        if not self.unsourced:
-            return ""
-        return f"rosbridge lacks package {self.unsourced}: source its workspace and restart rosbridge"
-
-    @property
     def is_half_dead(self) -> bool:
         """Tell whether nothing of its robots can arrive though it is connected."""
         return self.command_path is CommandPath.DEAD and self.command_reason == HALF_DEAD

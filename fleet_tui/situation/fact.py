@@ -58,4 +58,4 @@ class Fact(NamedTuple):
     def condition(self, due: float = -math.inf) -> Condition:
         """Return it as what becomes an alarm at a monotonic second."""
         kind = self.kind
-        return Condition(self.source, kind.name, self.priority, self.text, kind.over, due, remedy=self.remedy)
+        return Condition(self.source, kind.name, self.priority, self.text, kind.over, due, remedy=self.action)

@@ -2,6 +2,52 @@
 
 from fleet_tui.situation.fact import AlarmClass, FactKind
 
+NO_LINK = FactKind(
+    "link",
+    "no link",
+    "link restored",
+    AlarmClass(
+        "high",
+        "no connection to a bridge",
+        "its robots can be neither seen nor commanded",
+        "Start rosbridge, or repair the network; `fleet-tui doctor` names the step that fails",
+        1,
+    ),
+    keys=("diagnostics",),
+    page="link",
+)
+BRIDGE_HANGS = NO_LINK._replace(
+    alarm=NO_LINK.alarm._replace(
+        # With that parameter it stops answering at the second subscription.
+        action="Restart rosbridge, or repair the network; on ROS 2 start it without use_events_executor"
+    )
+)
+COMMANDS_DEAD = FactKind(
+    "commands",
+    "commands dead",
+    "command path restored",
+    AlarmClass(
+        "high",
+        "telemetry arrives, but commands would not get through, to the robots named or to all",
+        "no order and no pause reaches the robots of the link, or those named",
+        "Restart the robots' nodes or the ROS master; pause a robot by its own controls",
+        1,
+    ),
+    keys=("diagnostics",),
+    page="link",
+)
+HALF_DEAD = COMMANDS_DEAD._replace(
+    word="rosbridge half dead",
+    alarm=COMMANDS_DEAD.alarm._replace(
+        action="Restart rosbridge: nothing of its robots arrives, and they may drive on"
+    ),
+)
+CALLS_HANG = COMMANDS_DEAD._replace(
+    alarm=COMMANDS_DEAD.alarm._replace(
+        action="Restart rosbridge, on ROS 2 without use_events_executor; until then pause a robot by its own"
+        " controls"
+    )
+)
 LATE_LINK = FactKind(
     "late",
     "bridge overloaded",
@@ -31,12 +77,16 @@ LOST_SUBSCRIPTIONS = FactKind(
     keys=("diagnostics",),
     page="link",
 )
+UNSOURCED = LOST_SUBSCRIPTIONS._replace(word="rosbridge lacks a package", over="message types available")
 NOT_ALLOWED = LOST_SUBSCRIPTIONS._replace(
     word="not allowed by the bridge",
     alarm=LOST_SUBSCRIPTIONS.alarm._replace(
         action="Add these names to that list of rosbridge (topics_glob, services_glob, actions_glob)"
         ", and restart it"
     ),
+)
+HEARTBEAT_NOT_ALLOWED = COMMANDS_DEAD._replace(
+    alarm=COMMANDS_DEAD.alarm._replace(action=NOT_ALLOWED.alarm.action)
 )
 BEHIND = FactKind(
     "behind",
@@ -221,8 +271,15 @@ DESPITE_PAUSE = STILL_MOVING._replace(
 )
 
 FACTS = (
+    NO_LINK,
+    BRIDGE_HANGS,
+    COMMANDS_DEAD,
+    HALF_DEAD,
+    CALLS_HANG,
+    HEARTBEAT_NOT_ALLOWED,
     LATE_LINK,
     LOST_SUBSCRIPTIONS,
+    UNSOURCED,
     NOT_ALLOWED,
     BEHIND,
     SILENT,

@@ -1,29 +1,71 @@
 """Facts about what is between the robots and the screen: the bridges, and this console."""
 
 from fleet_tui.errors import STOPPED, UNANSWERED
+from fleet_tui.model import link as reasons
 from fleet_tui.model.alarm import Priority
 from fleet_tui.model.fleet import FleetState, behind_text
-from fleet_tui.model.link import (
-    ACTIONS_GLOB,
-    HALF_DEAD,
-    NO_REPLY,
-    NO_WAY,
-    NOT_ADMITTED,
-    SERVICES_GLOB,
-    LinkState,
-    Phase,
-)
+from fleet_tui.model.link import ACTIONS_GLOB, NO_WAY, SERVICES_GLOB, CommandPath, LinkState, Phase
 from fleet_tui.situation.fact import Fact
-from fleet_tui.situation.facts import BEHIND, LATE_LINK, LOST_SUBSCRIPTIONS, NOT_ALLOWED
+from fleet_tui.situation.facts import (
+    BEHIND,
+    BRIDGE_HANGS,
+    CALLS_HANG,
+    COMMANDS_DEAD,
+    HALF_DEAD,
+    HEARTBEAT_NOT_ALLOWED,
+    LATE_LINK,
+    LOST_SUBSCRIPTIONS,
+    NO_LINK,
+    NOT_ALLOWED,
+    UNSOURCED,
+)
 from fleet_tui.text.limits import some
-from fleet_tui.text.units import counted, duration
+from fleet_tui.text.units import age, counted, duration
 
 LATE_FROM = 1.0
 """Seconds from which this console, or a bridge, counts as late."""
+_KINDS = {
+    STOPPED: BRIDGE_HANGS,
+    UNANSWERED: BRIDGE_HANGS,
+    reasons.HALF_DEAD: HALF_DEAD,
+    reasons.NO_REPLY: CALLS_HANG,
+    reasons.NOT_ADMITTED: HEARTBEAT_NOT_ALLOWED,
+}
+"""The kinds of what is known more closely about a bridge without a link or a command path, by its reason."""
 
 
-RESTART_BRIDGE = "Restart rosbridge: nothing of its robots arrives, and they may drive on"
-"""What to do with a bridge that is half dead."""
+def no_link(state: FleetState, link: LinkState) -> Fact | None:
+    """Find that a bridge is not connected."""
+    if link.phase is Phase.UP:
+        return None
+    kind, why = _KINDS.get(link.reason, NO_LINK), f": {link.reason}" if link.reason else ""
+    if not link.was_up:
+        kind = kind._replace(over=f"connected after {age(state.now - link.since)}")
+    return Fact(
+        kind,
+        link.name,
+        f"{kind.word}{why}",
+        Priority.HIGH,
+        link.since,
+        short=kind.word,
+        evidence=f"no connection to {link.url}{why}",
+    )
+
+
+def dead_commands(link: LinkState) -> Fact | None:
+    """Find that commands would not get through, to any robot of a bridge or to those named, whether or not
+    its messages arrive."""
+    if link.command_path not in NO_WAY:
+        return None
+    kind, text = _KINDS.get(link.command_reason, COMMANDS_DEAD), link.command_reason
+    if link.command_path is CommandPath.DEAD:  # else of some robots: the others take commands
+        text = f"{COMMANDS_DEAD.word}: {link.command_reason}"
+    evidence = "no order and no pause gets through"
+    fact = Fact(kind, link.name, text, Priority.HIGH, link.since, evidence=evidence)
+    if kind is HALF_DEAD:
+        evidence = "no topic and no node: only the bridge itself answers"
+        fact = fact._replace(short=kind.word, evidence=evidence)
+    return fact
 
 
 def is_late(link: LinkState) -> bool:
@@ -47,6 +89,22 @@ def late_link(state: FleetState, link: LinkState) -> Fact | None:
     return Fact(LATE_LINK, link.name, text, priority, since)
 
 
+def unsourced(link: LinkState) -> Fact | None:
+    """Find that a bridge cannot read messages of its robots: the commonest mistake in setting it up."""
+    if link.phase is not Phase.UP or not link.unsourced:
+        return None
+    text = f"rosbridge lacks package {link.unsourced}: source its workspace and restart rosbridge"
+    return Fact(
+        UNSOURCED,
+        link.name,
+        text,
+        Priority.HIGH,
+        link.since,
+        short=UNSOURCED.word,
+        evidence=f"no message of {link.unsourced} arrives, and others of the same robots do",
+    )
+
+
 def lost_subscriptions(link: LinkState) -> Fact | None:
     """Find that a bridge is not subscribed any more to what nodes publish, as ROS has it."""
     if link.phase is not Phase.UP or not link.dropped or link.unsourced:
@@ -57,7 +115,8 @@ def lost_subscriptions(link: LinkState) -> Fact | None:
         f"rosbridge lost its subscriptions of {some(link.dropped)}: restart it",
         Priority.HIGH,
         link.since,
-        remedy=RESTART_BRIDGE,
+        remedy=HALF_DEAD.alarm.action,
+        short=LOST_SUBSCRIPTIONS.word,
         evidence="nodes publish its topics, and the bridge is not among their subscribers",
     )
 
@@ -80,32 +139,20 @@ def not_allowed(link: LinkState) -> Fact | None:
         f"the bridge does not allow {names}",
         Priority.HIGH,
         link.since,
-        remedy=NOT_ALLOWED.alarm.action,
+        short=NOT_ALLOWED.word,
         evidence="its log says so, or it alone leaves these calls unanswered",
     )
 
 
-# With that parameter it stops answering at the second subscription.
-_HANGS = "Restart rosbridge, or repair the network; on ROS 2 start it without use_events_executor"
-_CALLS_HANG = (
-    "Restart rosbridge, on ROS 2 without use_events_executor; until then pause a robot by its own controls"
-)
-_REMEDIES = {
-    HALF_DEAD: RESTART_BRIDGE,
-    NOT_ADMITTED: NOT_ALLOWED.alarm.action,
-    NO_REPLY: _CALLS_HANG,
-    STOPPED: _HANGS,
-    UNANSWERED: _HANGS,
-}
-
-
-def remedy_for(reason: str) -> str:
-    """Return what to do about a bridge without a link or a command path, empty for that of the alarm."""
-    return _REMEDIES.get(reason, "")
+def withheld(link: LinkState) -> Fact | None:
+    """Find why a connected bridge does not pass on messages of its robots."""
+    return lost_subscriptions(link) or not_allowed(link) or unsourced(link)
 
 
 def hidden(link: LinkState, robot: str) -> Fact | None:
     """Find why nothing of a robot arrives though its bridge is connected, none if it may be the robot."""
+    if link.is_half_dead:
+        return dead_commands(link)
     if robot in link.dropped:
         return lost_subscriptions(link)
     return not_allowed(link) if link.hides(robot) else None

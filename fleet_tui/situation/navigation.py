@@ -103,7 +103,6 @@ def silent_navigation(state: FleetState, robot: Robot) -> Fact | None:
         text,
         Priority.MEDIUM,
         since,
-        remedy=NAVIGATION_SILENT.alarm.action,
         short=NAVIGATION_SILENT.word,
         evidence=evidence,
     )

@@ -103,7 +103,7 @@ def silence(state: FleetState, robot: Robot) -> Fact:
         remedy = WAKE
     else:
         blamed = hidden(link, robot.name)
-        remedy = blamed.remedy if blamed is not None else NO_STATES if kind is NEVER_SEEN and known else ""
+        remedy = blamed.action if blamed is not None else NO_STATES if kind is NEVER_SEEN and known else ""
     pose = robot.pose
     is_behind = last is not None and pose is not None and last - pose.at >= 1.0
     return Fact(
@@ -241,7 +241,6 @@ def adrift(state: FleetState, robot: Robot) -> Fact | None:
         f"pose estimated, localisation silent for {silence}",
         Priority.MEDIUM,
         since,
-        remedy=ADRIFT.alarm.action,
         short="pose estimated",
         evidence=f"localisation silent for {silence}: {how}",
         seen=pose.at,
@@ -271,7 +270,6 @@ def drives_on(state: FleetState, robot: Robot) -> Fact | None:
         DRIVES_ON.word,
         Priority.MEDIUM,
         last.at,
-        remedy=DRIVES_ON.alarm.action,
         evidence=f"{mission} failed {age(since_end)} ago, and its pose still changes",
         seen=standing.at,
     )

@@ -20,11 +20,5 @@ def test_it_is_starting_until_something_speaks_against_it(link: LinkState, start
     assert link.is_starting is starting
 
 
-def test_messages_that_the_bridge_lacks_are_said_with_the_remedy() -> None:
-    assert LinkState("a", "ws://a").unsourced_text == ""
-    text = LinkState("a", "ws://a", unsourced="OH_ressources").unsourced_text
-    assert "lacks package OH_ressources" in text and "restart rosbridge" in text
-
-
 def test_a_bag_is_told_by_its_address() -> None:
     assert LinkState("a", "rosbag://night.bag").is_bag and not LinkState("a", "ws://bag").is_bag

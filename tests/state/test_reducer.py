@@ -134,7 +134,7 @@ def test_a_link_that_is_heard_and_commands_that_are_dead() -> None:
     state = reduced(fleet(), link_up(T0), events.MessageArrived(LINK, T0 + 3.0))
     assert state.links[LINK].last_received == T0 + 3.0
     state = reduced(state, events.CommandPathChanged(LINK, CommandPath.DEAD, "no ROS master"), tick(T0 + 4))
-    assert alarms(state)[LINK, "commands"].text == "no command path: no ROS master"
+    assert alarms(state)[LINK, "commands"].text == "commands dead: no ROS master"
     state = reduced(state, events.CommandPathChanged(LINK, CommandPath.ALIVE), tick(T0 + 5))
     assert alarms(state)[LINK, "commands"].text == "command path restored"
 

@@ -11,13 +11,13 @@ from fleet_tui.model.alarm import Priority
 from fleet_tui.model.fleet import FleetState, missing_text
 from fleet_tui.model.fleets.facility import LANES, Facility
 from fleet_tui.model.kind import PAUSE
-from fleet_tui.model.link import NO_WAY, CommandPath, LinkState, Phase
+from fleet_tui.model.link import LinkState, Phase
 from fleet_tui.model.order import Stop
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.alarms.trouble import to_look_at
 from fleet_tui.rules.commands.pauses import is_held
 from fleet_tui.situation.facts import OBSTACLE
-from fleet_tui.situation.links import behind, late_link
+from fleet_tui.situation.links import behind, dead_commands, late_link, no_link
 from fleet_tui.situation.robots import absence, blocked_robots
 from fleet_tui.text.language import tr
 from fleet_tui.text.limits import some
@@ -131,18 +131,14 @@ def _robot(state: FleetState, robot: Robot) -> Values:
 def attention(state: FleetState) -> list[str]:
     """Return one line for each thing that needs attention; empty when all is well."""
     # Listed before they have lasted long enough for an alarm: this command does not wait for that.
-    lagging = [behind(state), *(late_link(state, link) for link in state.links.values())]
-    lines = [f"{one.source}: {one.text}" for one in lagging if one is not None]
-    for link in state.links.values():
-        if link.phase is not Phase.UP:
-            lines.append(f"{link.name}: no link to {link.url}: {link.reason or 'no reply'}")
-        elif link.command_path in NO_WAY:
-            is_dead = link.command_path is CommandPath.DEAD
-            lines.append(f"{link.name}: {'no command path: ' * is_dead}{link.command_reason}")
+    facts = [behind(state)]
+    facts += [late_link(state, link) for link in state.links.values()]
+    facts += [no_link(state, link) or dead_commands(link) for link in state.links.values()]
+    lines = [f"{fact.source}: {fact.text}" for fact in facts if fact is not None]
     if blocked := blocked_robots(state):
         lines.append(f"{counted(len(blocked), 'robot')} {OBSTACLE.word}: {some(blocked)}")
     for alarm in state.alarms:
-        if alarm.holds and alarm.condition.kind not in ("link", "commands"):
+        if alarm.holds:
             lines.append(f"{alarm.condition.source}: {alarm.text}")
     lines += _unknown(state)
     lines += [line for name in to_look_at(state) if name not in blocked for line in _first_news(state, name)]

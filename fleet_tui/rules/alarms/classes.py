@@ -5,11 +5,13 @@ from fleet_tui.situation.fact import AlarmClass
 from fleet_tui.situation.facts import (
     BAD_DATA,
     BEHIND,
+    COMMANDS_DEAD,
     E_STOP,
     FAULT,
     INACTIVE,
     LATE_LINK,
     LOST_SUBSCRIPTIONS,
+    NO_LINK,
     OBSTACLE,
     OLD_STAMPS,
     SILENT,
@@ -18,20 +20,8 @@ from fleet_tui.situation.facts import (
 )
 
 CLASSES = {
-    "link": AlarmClass(
-        "high",
-        "no connection to a bridge or broker",
-        "its robots can be neither seen nor commanded",
-        "Start the bridge or broker, mend network or settings; `fleet-tui doctor` names the step that fails",
-        1,
-    ),
-    "commands": AlarmClass(
-        "high",
-        "telemetry arrives, but commands would not get through, to the robots named or to all",
-        "no order and no pause reaches the robots of the link, or those named",
-        "Restart the robots' nodes or the ROS master; pause a robot by its own controls",
-        1,
-    ),
+    NO_LINK.name: NO_LINK.alarm,
+    COMMANDS_DEAD.name: COMMANDS_DEAD.alarm,
     LOST_SUBSCRIPTIONS.name: LOST_SUBSCRIPTIONS.alarm,
     OBSTACLE.name: OBSTACLE.alarm,
     STOP.name: STOP.alarm,

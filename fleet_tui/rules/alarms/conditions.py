@@ -9,7 +9,7 @@ from collections.abc import Iterator
 
 from fleet_tui.model.alarm import Condition, Priority
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.link import NO_WAY, CommandPath, LinkState, Phase
+from fleet_tui.model.link import LinkState, Phase
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.facilities import facility_conditions
 from fleet_tui.rules.alarms.floods import ActiveConditions, was_active
@@ -103,7 +103,7 @@ def pause(state: FleetState, robot: Robot, active: ActiveConditions) -> Conditio
     since = state.began.get((robot.name, "pause"), state.now)
     fact = moves_despite_pause(state, robot)
     if fact is not None and fact.priority is Priority.HIGH:
-        return fact._replace(remedy=fact.action).condition(fact.since)
+        return fact.condition(fact.since)
     if fact is not None and fact.kind is DESPITE_PAUSE:
         return fact.condition(math.inf)  # it needs no alarm, and is not paused for long
     text = f"paused for {age(state.now - since)}"
@@ -158,24 +158,19 @@ def no_link(state: FleetState, link: LinkState, _active: ActiveConditions) -> Co
     """Raise without a link in either direction."""
     is_first = not (link.was_up or link.reason)
     after = max(state.limits.link_after, FIRST_LINK) if is_first else state.limits.link_after
-    if link.phase is Phase.UP or state.now - link.since <= after:
+    if state.now - link.since <= after:
         return None
-    text = f"no link: {link.reason}" if link.reason else "no link"
-    over = "link restored" if link.was_up else f"connected after {age(state.now - link.since)}"
-    return Condition(link.name, "link", Priority.HIGH, text, over, remedy=links.remedy_for(link.reason))
+    fact = links.no_link(state, link)
+    return None if fact is None else fact.condition()
 
 
 def dead_commands(state: FleetState, link: LinkState, active: ActiveConditions) -> Condition | None:
     """Raise if telemetry flows, but a command would not get through: a late bridge has its own alarm."""
-    raised = (link.name, "commands") in active
+    fact = links.dead_commands(link)
     is_news = link.phase is Phase.UP and not links.is_late(link)
-    if not (raised or is_news) or (link.phase is Phase.UP and link.command_path not in NO_WAY):
+    if fact is None or not (is_news or (link.name, fact.kind.name) in active):
         return None
-    text = f"no command path: {link.command_reason}"
-    if link.command_path is CommandPath.UNREGISTERED:
-        text = link.command_reason  # of some robots: the others take commands
-    over, remedy = "command path restored", links.remedy_for(link.command_reason)
-    return Condition(link.name, "commands", Priority.HIGH, text, over, remedy=remedy)
+    return fact.condition()
 
 
 def offline(state: FleetState, robot: Robot, active: ActiveConditions) -> Condition | None:
@@ -212,14 +207,10 @@ def late(state: FleetState, link: LinkState, _active: ActiveConditions) -> Condi
     return None if fact is None else fact.condition(fact.since + BEHIND_FOR)
 
 
-def unsourced(state: FleetState, link: LinkState, _active: ActiveConditions) -> Condition | None:
-    """Raise if the bridge can't read the robots' messages: the commonest mistake in setting it up; if it
-    lost its subscriptions, or allows none."""
-    if (fact := links.lost_subscriptions(link) or links.not_allowed(link)) is not None:
-        return fact.condition()
-    if link.phase is not Phase.UP or not link.unsourced:
-        return None
-    return Condition(link.name, "messages", Priority.HIGH, link.unsourced_text, "message types available")
+def withheld(_state: FleetState, link: LinkState, _active: ActiveConditions) -> Condition | None:
+    """Raise if a connected bridge does not pass on messages of its robots."""
+    fact = links.withheld(link)
+    return None if fact is None else fact.condition()
 
 
 ROBOT_RULES = (
@@ -234,7 +225,7 @@ ROBOT_RULES = (
     stuck,
     bad_data,
 )
-LINK_RULES = (dead_commands, no_link, bad_data, late, unsourced)
+LINK_RULES = (dead_commands, no_link, bad_data, late, withheld)
 
 
 def conditions(state: FleetState, active: ActiveConditions) -> Iterator[Condition]:

@@ -102,7 +102,7 @@ def failed_order(state: FleetState, robot: Robot, _active: ActiveConditions) -> 
     cause, parts = cause_of_end(robot, last), frozenset({last.order.id})
     found = f"{text}: {cause or 'no reason reported'}"
     fact = drives_on(state, robot)
-    remedy = fact.remedy if fact is not None else remedy_of(cause)
+    remedy = fact.action if fact is not None else remedy_of(cause)
     return Condition(robot.name, "order", Priority.MEDIUM, found, text, parts=parts, remedy=remedy)
 
 

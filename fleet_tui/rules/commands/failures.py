@@ -145,7 +145,7 @@ def _failed(state: FleetState, key: Key, records: Sequence[commands.CommandRecor
     drives_on = drives_on and last.stage is not commands.Stage.LATE
     remedy = remedy_of(_cause(robot, last)) if last.stage is commands.Stage.FAILED else ""
     if isinstance(last.command, commands.PlaceOrder) and (fact := find_drives_on(state, robot)) is not None:
-        remedy = fact.remedy
+        remedy = fact.action
     if last.stage is commands.Stage.LATE:
         remedy = CARRIED_OUT
     if isinstance(last.command, commands.PlaceOrder) and last.stage is commands.Stage.NOT_CONFIRMED:

@@ -29,7 +29,7 @@ from fleet_tui.rules.why.reason import (
     stationary_since,
 )
 from fleet_tui.rules.why.traffic import in_the_way, next_stop, vertex_here
-from fleet_tui.situation.links import is_late
+from fleet_tui.situation.links import is_late, unsourced
 from fleet_tui.situation.navigation import silent_navigation
 from fleet_tui.situation.robots import last_contact
 from fleet_tui.text.details import detail_text
@@ -174,7 +174,7 @@ def stale_queue(state: FleetState, robot: Robot) -> Reason | None:
     """Report that its orders are not listed any more, while the robot itself reports."""
     if robot.queue is None or robot.orders.current is None or not state.is_old(robot, "queue"):
         return None
-    if silent_navigation(state, robot) is not None:
+    if silent_navigation(state, robot) is not None or unsourced(state.links[robot.link]) is not None:
         return None  # that is the cause
     if not state.is_online(robot) or is_late(state.links[robot.link]):
         return None

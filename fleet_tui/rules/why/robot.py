@@ -5,7 +5,7 @@ from functools import partial
 from fleet_tui.model.alarm import Priority
 from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState, obstacle_text
-from fleet_tui.model.link import Phase
+from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.rules.alarms.navigation import lacks_odometry
@@ -21,7 +21,7 @@ from fleet_tui.rules.localisation.misplaced import (
 )
 from fleet_tui.rules.localisation.off_route import is_off_route, metres_off
 from fleet_tui.rules.movement import JUMPS_WITHIN
-from fleet_tui.rules.why.reason import LOOK_AT, Reason, Strength, name_of, stationary_since
+from fleet_tui.rules.why.reason import LOOK_AT, Reason, Strength, name_of, reason_of, stationary_since
 from fleet_tui.situation import links
 from fleet_tui.situation.facts import BAD_DATA
 from fleet_tui.situation.motion import STANDS_AFTER, moves_despite_pause, says_driving
@@ -60,20 +60,23 @@ def moves(state: FleetState, robot: Robot) -> Reason | None:
 def no_link(state: FleetState, robot: Robot) -> Reason | None:
     """Report that its state is unknown without a link, or behind a bridge that is half dead."""
     link = state.links[robot.link]
-    if link.is_half_dead:
-        evidence = "no topic and no node: only the bridge itself answers"
-        return Reason(
-            "rosbridge half dead", evidence, keys=DIAGNOSE, remedy=links.RESTART_BRIDGE, page="link"
-        )
-    if not state.is_online(robot) and (fact := links.hidden(link, robot.name)) is not None:
-        keys, page = fact.kind.keys, fact.kind.page
-        return Reason(fact.kind.word, fact.evidence, keys=keys, remedy=fact.remedy, page=page)
-    if link.phase is Phase.UP:
+    if (lost := links.no_link(state, link)) is not None:
+        return reason_of(lost, since=lost.since)
+    fact = links.hidden(link, robot.name)
+    if fact is None or (state.is_online(robot) and not link.is_half_dead):
         return None
-    why = f": {link.reason}" if link.reason else ""
-    evidence = f"no connection to {link.url}{why}"
-    remedy = links.remedy_for(link.reason) or CLASSES["link"].action
-    return Reason("no link", evidence, since=link.since, keys=DIAGNOSE, remedy=remedy, page="link")
+    return reason_of(fact)
+
+
+def unreachable(state: FleetState, robot: Robot) -> Reason | None:
+    """Report that no command gets through, though its messages arrive: likely why it has no order."""
+    link = state.links[robot.link]
+    fact = links.dead_commands(link)
+    if fact is None or link.phase is not Phase.UP or link.command_path is not CommandPath.DEAD:
+        return None
+    if link.is_half_dead:
+        return None  # that is told first of all
+    return reason_of(fact, Strength.LIKELY if robot.orders.current is None else Strength.POSSIBLE)
 
 
 def late_link(state: FleetState, robot: Robot) -> Reason | None:
@@ -156,10 +159,21 @@ def obstacle(state: FleetState, robot: Robot) -> Reason | None:
     )
 
 
+def unread(state: FleetState, robot: Robot) -> Reason | None:
+    """Report that its bridge cannot read its messages, if its pose or its orders are not known."""
+    fact = links.unsourced(state.links[robot.link])
+    expected = filter(robot.kind.expects, ("pose", "queue"))
+    if fact is None or all(state.is_fresh(robot, value) for value in expected):
+        return None
+    return reason_of(fact)
+
+
 def stale_pose(state: FleetState, robot: Robot) -> Reason | None:
     """Report that its pose is old while its other values are fresh: it may be moving."""
     if not state.is_online(robot) or state.is_fresh(robot, "pose") or "pose" not in robot.kind.reports:
         return None
+    if links.unsourced(state.links[robot.link]) is not None:
+        return None  # that is the cause
     if robot.pose is None:
         topic = robot.kind.pose_topic.replace("{robot}", robot.name)
         evidence = f"other reports received, no pose{topic and f' on {topic}'}: position unknown"

@@ -54,6 +54,8 @@ from fleet_tui.rules.why.robot import (
     silent_robot,
     stale_pose,
     to_place,
+    unreachable,
+    unread,
 )
 from fleet_tui.rules.why.vehicles import VEHICLE_REASONS
 from fleet_tui.situation.facts import UNLOCALISED
@@ -91,9 +93,11 @@ RULES: tuple[Rule, ...] = (
     *MEMBER_REASONS,
     *NAVIGATION_REASONS,
     own_late_pause,
+    unread,
     stale_pose,
     stale_queue,
     jumps,
+    unreachable,
     command,
     failed_order,
     cargo,

@@ -6,12 +6,12 @@ from collections.abc import Iterator, Mapping, Sequence
 from fleet_tui.keys.key import key_name
 from fleet_tui.model.fleet import FleetState, behind_text
 from fleet_tui.model.kind import PAUSE
-from fleet_tui.model.link import NO_WAY, CommandPath, LinkState, Phase
+from fleet_tui.model.link import LinkState, Phase
 from fleet_tui.rules.alarms.trouble import to_look_at
 from fleet_tui.rules.commands.pauses import is_held
 from fleet_tui.rules.sites import alarms_by_site, site_of, sites_of
 from fleet_tui.situation.facts import LATE_LINK
-from fleet_tui.situation.links import LATE_FROM, is_late
+from fleet_tui.situation.links import LATE_FROM, dead_commands, is_late, withheld
 from fleet_tui.situation.motion import is_moving
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import cell_width, fit_words, sanitize
@@ -109,12 +109,9 @@ def _trouble_runs(link: LinkState, now: float, address: str) -> Iterator[Run]:
     if link.waiting_topics:
         done = link.topics - link.waiting_topics
         yield tr(f" subscribing: {done} of {link.topics} topics"), StyleRole.TEXT
-    if link.command_path is CommandPath.DEAD:
-        yield tr(f" commands dead: {sanitize(link.command_reason)}"), StyleRole.ALARM
-    elif link.command_path is CommandPath.UNREGISTERED:
-        yield f" {tr(sanitize(link.command_reason))}", StyleRole.ALARM
-    if link.unsourced:
-        yield f" {tr(sanitize(link.unsourced_text))}", StyleRole.ALARM
+    for fact in (dead_commands(link), withheld(link)):
+        if fact is not None:
+            yield f" {tr(sanitize(fact.text))}", StyleRole.ALARM
     if link.faults:
         yield tr(f" {link.faults} bad frames"), StyleRole.WARN
 
@@ -125,8 +122,8 @@ def _worst(state: FleetState) -> LinkState:
         state.links.values(),
         key=lambda link: (
             link.phase is Phase.UP,
-            link.command_path not in NO_WAY,
-            not link.unsourced,
+            dead_commands(link) is None,
+            withheld(link) is None,
             not is_late(link),
             -link.waiting_topics,
             link.last_received or 0.0,

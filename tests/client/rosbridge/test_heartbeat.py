@@ -153,10 +153,10 @@ async def test_a_bridge_that_is_half_dead_is_told_as_that_and_no_robot_is_blamed
         state = await store.until(lambda state: not state.is_online(state.robots["robot_0"]), within=HANGS)
         later = reduced(state, tick(state.now + 60.0))
         assert [alarm.condition.kind for alarm in later.alarms if alarm.holds] == ["commands"]
-        assert later.alarms[0].text == "no command path: rosbridge is half dead: restart it"
+        assert later.alarms[0].text == "commands dead: rosbridge is half dead: restart it"
         found = reasons(later, later.robots["robot_0"])
         assert found[0].name == "rosbridge half dead" and "Restart rosbridge" in found[0].remedy
-        assert attention(later) == ["rosbridge: no command path: rosbridge is half dead: restart it"]
+        assert attention(later) == ["rosbridge: commands dead: rosbridge is half dead: restart it"]
         nav2.bridge.services.silent_services.clear()
         await store.until(path(CommandPath.ALIVE))
 
@@ -187,7 +187,7 @@ async def test_a_bridge_that_does_not_allow_the_heartbeat_is_neither_half_dead_n
         state = await store.until(lambda state: state.links["rosbridge"].command_reason == NOT_ADMITTED)
         later = reduced(state, tick(state.now + 20.0))
         alarm = next(one.condition for one in later.alarms if one.condition.kind == "commands")
-        assert alarm.text == f"no command path: {NOT_ADMITTED}" and "services_glob" in alarm.remedy
+        assert alarm.text == f"commands dead: {NOT_ADMITTED}" and "services_glob" in alarm.remedy
         assert attention(later)[0] == f"rosbridge: {alarm.text}"
         del ros_2.bridge.allowed["service"]
         await store.until(path(CommandPath.ALIVE))

@@ -3,6 +3,7 @@
 from msgspec.structs import replace
 
 from fleet_tui.adapters.profile import Profile
+from fleet_tui.cli.status.report import attention
 from fleet_tui.model.events import MessagesUnsourced
 from fleet_tui.model.problem import Permissions
 from fleet_tui.model.request import Request
@@ -20,11 +21,11 @@ async def test_a_bridge_without_the_messages_is_told_with_the_remedy(server: Ros
     play(server, [("unsourced", "robot_0"), ("unsourced", "robot_1")])
     async with linked(config_of(server.url, 2)) as (_, store):
         state = await store.until(lambda state: state.links["rosbridge"].unsourced)
-        assert state.links["rosbridge"].unsourced_text == (
-            "rosbridge lacks package OH_ressources: source its workspace and restart rosbridge"
-        )
         state = await store.until(
             lambda state: any(alarm.condition.kind == "messages" for alarm in state.alarms)
+        )
+        assert attention(state)[0] == (
+            "rosbridge: rosbridge lacks package OH_ressources: source its workspace and restart rosbridge"
         )
         found = problems(state, Request((place_order("robot_0", 0, 1),)), Permissions())
         assert ("queue unheard", False) in [(problem.check, problem.blocks) for problem in found]
