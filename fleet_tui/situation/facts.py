@@ -137,6 +137,14 @@ ADRIFT = OLD_STAMPS._replace(
     keys=("pause", *OLD_STAMPS.keys),
 )
 REPEATED_POSE = OLD_STAMPS._replace(word="poses repeat at rest")
+UNDATED_POSE = OLD_STAMPS._replace(word="pose of unknown age")
+NO_POSE = OLD_STAMPS._replace(
+    word="no pose",
+    alarm=OLD_STAMPS.alarm._replace(
+        action="Pause it, and check its localisation: its node, its laser, the topic's name"
+    ),
+)
+UNCERTAIN = OLD_STAMPS._replace(word="localisation uncertain", keys=("pose", "centre"))
 BAD_DATA = FactKind(
     "data",
     "bad data",
@@ -288,6 +296,9 @@ FACTS = (
     OLD_STAMPS,
     ADRIFT,
     REPEATED_POSE,
+    UNDATED_POSE,
+    NO_POSE,
+    UNCERTAIN,
     BAD_DATA,
     OBSTACLE,
     STOP,

@@ -20,6 +20,7 @@ from fleet_tui.situation.facts import (
     REPEATED_POSE,
     SILENT,
     STOP,
+    UNDATED_POSE,
 )
 from fleet_tui.situation.links import hidden, is_late
 from fleet_tui.situation.motion import SELDOM
@@ -186,12 +187,12 @@ def _old_stamps(state: FleetState, robot: Robot) -> Fact | None:
     priority = Priority.LOW if is_calm else Priority.MEDIUM
     if robot.is_undated:
         return Fact(
-            AGE_UNKNOWN,
+            UNDATED_POSE,
             robot.name,
-            "pose of unknown age",
+            UNDATED_POSE.word,
             priority,
             robot.clock.at,
-            short="pose of unknown age",
+            short=UNDATED_POSE.word,
             evidence="one pose received: it may be an old one",
             question=f"the one pose of {robot.name} is of unknown age",
             seen=robot.clock.at,

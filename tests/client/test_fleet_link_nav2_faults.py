@@ -221,7 +221,7 @@ async def test_one_that_is_lost_is_told_so(site: Site) -> None:
     plant(site, f"lost:{R0}")
     async with linked(site.config) as (_, store):
         await store.until(alarmed("localisation", "localisation uncertain: within "))
-        await store.until(lambda state: "localisation uncertain" in why(state))
+        await store.until(lambda state: "pose uncertain" in why(state))
 
 
 async def test_an_obstacle_stops_it_and_recoveries_are_counted(site: Site) -> None:

@@ -20,6 +20,7 @@ from fleet_tui.situation.facts import (
     OLD_STAMPS,
     REPEATED_POSE,
     SILENT,
+    UNDATED_POSE,
 )
 from fleet_tui.situation.robots import absence
 from fleet_tui.view.tables.news import news
@@ -136,7 +137,7 @@ def test_status_tells_the_silence_that_a_late_bridge_does_not_explain() -> None:
 def test_one_pose_of_unknown_age_is_told_alike_by_all_while_the_robot_speaks_of_other_things() -> None:
     state = reduced(undated(), battery(T0 + 0.1), tick(T0 + 0.2))
     fact = absence(state, state.robots[R0])
-    assert fact is not None and fact.kind is AGE_UNKNOWN and fact.short == "pose of unknown age"
+    assert fact is not None and fact.kind is UNDATED_POSE and fact.short == "pose of unknown age"
     assert fact.short in [text for text, _ in news(state, state.robots[R0])]
     assert not any("old" in one.name for one in reasons(state, state.robots[R0]))
     assert f"robot_0: {fact.short}" not in attention(state), "it has no order"

@@ -9,8 +9,9 @@ from fleet_tui.rules.causes import cause_of_end, remedy_of
 from fleet_tui.rules.commands.failures import FAILED_FOR
 from fleet_tui.rules.commands.local_queue import HELD_BY_OTHERS, orders_to_save
 from fleet_tui.rules.localisation.misplaced import misplaced_for_long
-from fleet_tui.rules.localisation.uncertainty import FOUND_BELOW, LOST_ABOVE, uncertainty
-from fleet_tui.situation.navigation import NO_ODOMETRY, inactive, silent_navigation
+from fleet_tui.situation.facts import UNCERTAIN
+from fleet_tui.situation.localisation import FOUND_BELOW, LOST_ABOVE, no_pose, uncertain
+from fleet_tui.situation.navigation import inactive, silent_navigation
 from fleet_tui.situation.robots import absence, adrift, drives_on
 from fleet_tui.text.units import age
 
@@ -28,46 +29,25 @@ def not_sure_where(state: FleetState, robot: Robot, active: ActiveConditions) ->
         return lost
     if (fact := adrift(state, robot)) is not None:
         return fact.condition(fact.since + ADRIFT_AFTER)
-    if robot.variance is None and robot.misplaced is None:
+    was_lost = was_active(active, robot.name, robot.link, UNCERTAIN.name)
+    if (fact := uncertain(state, robot, FOUND_BELOW if was_lost else LOST_ABOVE)) is not None:
+        return fact.condition()
+    if (since := misplaced_for_long(state, robot)) is None or robot.misplaced is None:
         return None
-    was_lost = was_active(active, robot.name, robot.link, "localisation")
-    limit = FOUND_BELOW if was_lost else LOST_ABOVE
-    if (metres := uncertainty(state, robot, limit)) is not None:
-        text = f"localisation uncertain: within {metres:.1f} m"
-    elif (since := misplaced_for_long(state, robot)) is not None and robot.misplaced is not None:
-        text = f"localisation wrong for {age(state.now - since)}: {robot.misplaced.value}"
-    else:
-        return None
+    text = f"localisation wrong for {age(state.now - since)}: {robot.misplaced.value}"
     return Condition(robot.name, "localisation", Priority.MEDIUM, text, "localisation recovered")
 
 
 def _pose_lost(state: FleetState, robot: Robot, active: ActiveConditions) -> Condition | None:
-    if not robot.kind.expects("pose") or state.is_fresh(robot, "pose"):
+    fact = no_pose(state, robot) if robot.kind.expects("pose") else None
+    if fact is None:
         return None
-    if not state.is_online(robot) and not was_active(active, robot.name, robot.link, "localisation"):
-        return None
-    if robot.pose is None and inactive(state, robot) is not None:
-        return None  # that says which pose it waits for
+    if not state.is_online(robot):
+        return fact.condition() if was_active(active, robot.name, robot.link, fact.kind.name) else None
     if robot.pose is None:
-        due = state.began.get((robot.name, "localisation"), state.now) + state.patience(robot)
-        return Condition(
-            robot.name, "localisation", Priority.MEDIUM, "no pose received", "localisation recovered", due
-        )
-    fact = absence(state, robot) if state.is_online(robot) else None
-    if fact is not None and fact.priority is Priority.LOW:
-        return None
-    text = f"no pose for {age(state.now - robot.pose.at)}" if fact is None else fact.text
-    due, remedy = robot.pose.at + NO_POSE_AFTER, NO_ODOMETRY if lacks_odometry(state, robot) else ""
-    over = "localisation recovered"
-    return Condition(robot.name, "localisation", Priority.MEDIUM, text, over, due, remedy=remedy)
-
-
-def lacks_odometry(state: FleetState, robot: Robot) -> bool:
-    """Tell whether a robot that is placed by its odometry sends none: then its pose is old, not wrong."""
-    if not robot.kind.odometry_topic or robot.located is None:
-        return False
-    silence = robot.kind.silence_of("pose", state.limits.offline_after) + state.behind
-    return robot.odometry_at is None or state.now - robot.odometry_at > silence
+        return fact.condition(fact.since + state.patience(robot))
+    fact = absence(state, robot) or fact
+    return None if fact.priority is Priority.LOW else fact.condition(robot.pose.at + NO_POSE_AFTER)
 
 
 def held_orders(state: FleetState, robot: Robot, _active: ActiveConditions) -> Condition | None:

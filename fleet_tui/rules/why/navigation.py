@@ -5,8 +5,8 @@ from fleet_tui.model.navigation import blocked_text
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.causes import HELD_FAST
 from fleet_tui.rules.commands.local_queue import orders_to_save
-from fleet_tui.rules.localisation.uncertainty import uncertainty
 from fleet_tui.rules.why.reason import LOOK_AT, Reason, Strength, mission, reason_of
+from fleet_tui.situation.localisation import uncertain
 from fleet_tui.situation.navigation import inactive, silent_navigation
 from fleet_tui.situation.robots import adrift, drives_on
 
@@ -33,12 +33,8 @@ def blocked(state: FleetState, robot: Robot) -> Reason | None:
 
 def not_sure_where(state: FleetState, robot: Robot) -> Reason | None:
     """Report that its localisation is uncertain."""
-    if (metres := uncertainty(state, robot)) is None or robot.variance is None:
-        return None
-    evidence = f"localisation uncertainty {metres:.1f} m: set the robot's pose"
-    return Reason(
-        "localisation uncertain", evidence, Strength.LIKELY, seen=robot.variance.at, keys=("pose", "centre")
-    )
+    fact = uncertain(state, robot)
+    return None if fact is None else reason_of(fact, Strength.LIKELY)
 
 
 def estimated(state: FleetState, robot: Robot) -> Reason | None:

@@ -8,7 +8,6 @@ from fleet_tui.model.fleet import FleetState, obstacle_text
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.classes import CLASSES
-from fleet_tui.rules.alarms.navigation import lacks_odometry
 from fleet_tui.rules.battery.charging import charger_used, charging_remedy, charging_reported
 from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.commands.pauses import is_held, own_pause_text
@@ -23,14 +22,13 @@ from fleet_tui.rules.localisation.off_route import is_off_route, metres_off
 from fleet_tui.rules.movement import JUMPS_WITHIN
 from fleet_tui.rules.why.reason import LOOK_AT, Reason, Strength, name_of, reason_of, stationary_since
 from fleet_tui.situation import links
-from fleet_tui.situation.facts import BAD_DATA
+from fleet_tui.situation.facts import BAD_DATA, NO_POSE
+from fleet_tui.situation.localisation import no_pose
 from fleet_tui.situation.motion import STANDS_AFTER, moves_despite_pause, says_driving
-from fleet_tui.situation.navigation import NO_ODOMETRY
 from fleet_tui.situation.robots import absence, last_contact, silent
 from fleet_tui.text.units import age, ago, duration
 
 WRONG_POSE = "Set its pose to where it stands, or check its localisation"
-NO_POSE = "Check the robot's localisation: its node, its laser, the topic's name"
 DIAGNOSE = ("diagnostics",)
 FULL = 95.0
 """Per cent below which a robot at a charger may be charging."""
@@ -170,23 +168,14 @@ def unread(state: FleetState, robot: Robot) -> Reason | None:
 
 def stale_pose(state: FleetState, robot: Robot) -> Reason | None:
     """Report that its pose is old while its other values are fresh: it may be moving."""
-    if not state.is_online(robot) or state.is_fresh(robot, "pose") or "pose" not in robot.kind.reports:
-        return None
-    if links.unsourced(state.links[robot.link]) is not None:
-        return None  # that is the cause
+    lost = no_pose(state, robot) if state.is_online(robot) else None
+    if lost is None or links.unsourced(state.links[robot.link]) is not None:
+        return None  # else that is the cause
     if robot.pose is None:
-        topic = robot.kind.pose_topic.replace("{robot}", robot.name)
-        evidence = f"other reports received, no pose{topic and f' on {topic}'}: position unknown"
-        return Reason("no pose", evidence, keys=DIAGNOSE, remedy=NO_POSE)
+        return reason_of(lost)
     if (fact := absence(state, robot)) is not None:
         return Reason(fact.short, fact.evidence, seen=fact.seen)
-    name = f"pose {age(state.now - robot.pose.at)} old"
-    if lacks_odometry(state, robot):
-        topic = robot.kind.odometry_topic.replace("{robot}", robot.name)
-        evidence = f"no odometry on {topic}: the robot may have moved since"
-        return Reason(name, evidence, since=robot.pose.at, keys=DIAGNOSE, remedy=NO_ODOMETRY)
-    evidence = "other reports arrive: the robot may have moved since"
-    return Reason(name, evidence, since=robot.pose.at, keys=DIAGNOSE, remedy=NO_POSE)
+    return reason_of(lost, since=lost.since)
 
 
 def jumps(state: FleetState, robot: Robot) -> Reason | None:
@@ -199,7 +188,7 @@ def jumps(state: FleetState, robot: Robot) -> Reason | None:
         f"the last by {last.value:.1f} m: its pose is not to be trusted",
         ("pose", "centre", *DIAGNOSE),
     )
-    return Reason(name, evidence, since=recent[0].at, seen=last.at, keys=keys, remedy=NO_POSE)
+    return Reason(name, evidence, since=recent[0].at, seen=last.at, keys=keys, remedy=NO_POSE.alarm.action)
 
 
 def misplaced(state: FleetState, robot: Robot) -> Reason | None:

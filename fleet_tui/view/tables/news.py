@@ -12,9 +12,9 @@ from fleet_tui.rules.commands.pauses import own_pause_text
 from fleet_tui.rules.commands.rivals import rivals
 from fleet_tui.rules.localisation.jumps import is_jumping
 from fleet_tui.rules.localisation.misplaced import misplaced_text
-from fleet_tui.rules.localisation.uncertainty import uncertainty
 from fleet_tui.situation.fact import Fact
 from fleet_tui.situation.facts import BAD_DATA, INACTIVE, SILENT
+from fleet_tui.situation.localisation import uncertain
 from fleet_tui.situation.motion import moves_despite_pause
 from fleet_tui.situation.navigation import inactive, silent_navigation
 from fleet_tui.situation.robots import absence, adrift, bad_data, drives_on, last_contact, obstacle
@@ -131,8 +131,8 @@ def _navigation(state: FleetState, robot: Robot) -> Iterator[Run]:
         yield tr(servers.text), StyleRole.ALARM
     elif (silence := silent_navigation(state, robot)) is not None:
         yield tr(silence.short), StyleRole.ALARM
-    if uncertainty(state, robot) is not None:
-        yield tr("pose uncertain"), StyleRole.WARN
+    if (doubt := uncertain(state, robot)) is not None:
+        yield tr(doubt.short), StyleRole.WARN
     if (estimate := adrift(state, robot)) is not None:
         yield tr(estimate.short), StyleRole.WARN
     if state.is_fresh(robot, "pose") and is_jumping(robot, state.now):

@@ -22,8 +22,9 @@ from fleet_tui.rules.alarms.navigation import (
 from fleet_tui.rules.causes import HELD_FAST
 from fleet_tui.rules.commands.failures import FAILED_FOR
 from fleet_tui.rules.commands.local_queue import ANOTHER_CLIENT
-from fleet_tui.rules.localisation.uncertainty import FOUND_BELOW, LOST_ABOVE
 from fleet_tui.rules.why.robot import stale_pose
+from fleet_tui.situation.facts import NO_POSE
+from fleet_tui.situation.localisation import FOUND_BELOW, LOST_ABOVE
 from fleet_tui.situation.navigation import NO_ODOMETRY
 from tests.support.fleets import (
     R0,
@@ -113,8 +114,9 @@ def test_a_robot_placed_by_odometry_that_sends_none_is_looked_for_there() -> Non
         {"odometry_at": T0 + 40, "located": Pose(0.0, 0.0)},
         {"odometry_at": None, "located": None},
     ):
-        found = not_sure_where(*known(state, **other), {})
-        assert found is not None and action_of(found) == CLASSES["localisation"].action
+        found, reason = not_sure_where(*known(state, **other), {}), stale_pose(*known(state, **other))
+        assert found is not None and reason is not None
+        assert action_of(found) == reason.remedy == NO_POSE.alarm.action
 
 
 def test_held_orders_are_counted_and_those_held_by_others_matter_more() -> None:

@@ -9,9 +9,9 @@ from fleet_tui.model.kind import Kind
 from fleet_tui.model.navigation import Blocked, Progress
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.causes import HELD_FAST
-from fleet_tui.rules.localisation.uncertainty import LOST_ABOVE
 from fleet_tui.rules.why.navigation import blocked, held, not_sure_where, recovering, silent
 from fleet_tui.rules.why.reason import Strength
+from fleet_tui.situation.localisation import LOST_ABOVE
 from tests.support.fleets import (
     R0,
     T0,
@@ -58,7 +58,7 @@ def test_a_collision_monitor_that_holds_nothing_back_is_no_reason() -> None:
 
 def test_an_uncertain_localisation_is_given_in_metres() -> None:
     found = not_sure_where(*known(variance=Reading(2.25, T0)))
-    assert found is not None and "uncertainty 3.0 m" in found.evidence
+    assert found is not None and "within 3.0 m" in found.evidence
     assert not_sure_where(*known(variance=Reading(LOST_ABOVE, T0))) is None
 
 

@@ -20,6 +20,7 @@ from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.rules.why.reason import Strength
 from fleet_tui.rules.why.robot import stale_pose
 from fleet_tui.rules.why.why import reasons
+from fleet_tui.situation.facts import NO_POSE
 from tests.support.fleets import (
     LINK,
     R0,
@@ -75,8 +76,9 @@ def test_poses_that_come_late_are_told_from_poses_that_stay_away() -> None:
 def test_a_pose_that_never_came_is_named_with_its_topic() -> None:
     state = reduced(fleet(), link_up(T0), queue(T0 + 4), tick(T0 + 4))
     found = stale_pose(state, state.robots[R0])
-    assert found is not None and found.name == "no pose" and "no pose on /robot_0/pose:" in found.evidence
-    assert found.remedy
+    assert found is not None and found.name == "pose missing"
+    assert "no pose on /robot_0/pose:" in found.evidence
+    assert found.remedy == NO_POSE.alarm.action
     bare = of_kinds(state, Kind(reports=("pose",)))
     found = stale_pose(bare, bare.robots[R0])
     assert found is not None and found.evidence == "other reports received, no pose: position unknown"

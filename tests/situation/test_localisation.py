@@ -8,7 +8,7 @@ from fleet_tui.model.geometry import Pose
 from fleet_tui.model.robot import Reading
 from fleet_tui.model.set_up.commands import SetPose
 from fleet_tui.rules.alarms.navigation import not_sure_where
-from fleet_tui.rules.localisation.uncertainty import SETTLES_IN, uncertainty
+from fleet_tui.situation.localisation import SETTLES_IN, uncertain
 from tests.support.fleets import F0, R0, T0, WALL, fleet, pose, reduced, tick
 
 SET = CommandRecord(
@@ -32,5 +32,5 @@ def test_what_was_set_here_is_no_alarm_however_long_the_robot_stands(
     robot = replace(
         state.robots[R0], variance=Reading(variance, T0 + after), pose=Reading(Pose(0.0, 0.0), T0 + 3600.0)
     )
-    assert (uncertainty(state, robot) is not None) is is_lost
+    assert (uncertain(state, robot) is not None) is is_lost
     assert (not_sure_where(state, robot, {}) is not None) is is_lost

@@ -1,0 +1,83 @@
+"""Facts about the localisation of a robot: it is uncertain, or gives no pose."""
+
+import math
+
+from fleet_tui.model.alarm import Priority
+from fleet_tui.model.commands import Stage
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.robot import Robot
+from fleet_tui.model.set_up.commands import SetPose
+from fleet_tui.situation.fact import Fact
+from fleet_tui.situation.facts import NO_POSE, UNCERTAIN
+from fleet_tui.situation.navigation import NO_ODOMETRY, inactive
+from fleet_tui.text.units import age
+
+LOST_ABOVE = 0.5
+FOUND_BELOW = 0.3
+"""Variance of x and y in square metres above which localisation is lost, and below which it is back."""
+USUAL = 0.75
+SETTLES_IN = 10.0
+"""Variance that a localisation may report in so many seconds after a pose was set by hand: about the 0.5 that
+come with it. One that stands then reports no other until it drives."""
+
+
+def uncertain(state: FleetState, robot: Robot, limit: float = LOST_ABOVE) -> Fact | None:
+    """Find that a localisation is too uncertain to drive by: not by what was only set here."""
+    found = robot.variance
+    if found is None or found.value <= limit or (found.value <= USUAL and _was_set(state, robot, found.at)):
+        return None
+    metres = 2.0 * math.sqrt(found.value)
+    return Fact(
+        UNCERTAIN,
+        robot.name,
+        f"{UNCERTAIN.word}: within {metres:.1f} m",
+        Priority.MEDIUM,
+        found.at,
+        short="pose uncertain",
+        evidence=f"within {metres:.1f} m, as its localisation says",
+        seen=found.at,
+    )
+
+
+def _was_set(state: FleetState, robot: Robot, at: float) -> bool:
+    """Tell whether this console has set the robot's pose just before."""
+    set_here = (
+        record.time_of(Stage.SENT)
+        for record in state.commands
+        if isinstance(record.command, SetPose) and record.command.robot == robot.name
+    )
+    return any(sent is not None and 0.0 <= at - sent <= SETTLES_IN for sent in set_here)
+
+
+def no_pose(state: FleetState, robot: Robot) -> Fact | None:
+    """Find that a robot that reports its pose gives none, or none any more. Navigation that is not active
+    says which one it waits for."""
+    if "pose" not in robot.kind.reports or state.is_fresh(robot, "pose"):
+        return None
+    remedy = ""
+    if robot.pose is not None:
+        text = f"no pose for {age(state.now - robot.pose.at)}"
+        short = f"pose {age(state.now - robot.pose.at)} old"
+        since, evidence = robot.pose.at, "other reports arrive: the robot may have moved since"
+        if _lacks_odometry(state, robot):
+            topic = robot.kind.odometry_topic.replace("{robot}", robot.name)
+            evidence = f"no odometry on {topic}: the robot may have moved since"
+            remedy = NO_ODOMETRY
+    elif inactive(state, robot) is None:
+        topic = robot.kind.pose_topic.replace("{robot}", robot.name)
+        text, short = "no pose received", "pose missing"
+        since = state.began.get((robot.name, NO_POSE.name), state.now)
+        evidence = f"other reports received, no pose{topic and f' on {topic}'}: position unknown"
+    else:
+        return None
+    return Fact(
+        NO_POSE, robot.name, text, Priority.MEDIUM, since, remedy=remedy, short=short, evidence=evidence
+    )
+
+
+def _lacks_odometry(state: FleetState, robot: Robot) -> bool:
+    """Tell whether a robot that is placed by its odometry sends none: then its pose is old, not wrong."""
+    if not robot.kind.odometry_topic or robot.located is None:
+        return False
+    silence = robot.kind.silence_of("pose", state.limits.offline_after) + state.behind
+    return robot.odometry_at is None or state.now - robot.odometry_at > silence
