@@ -35,6 +35,7 @@ MAY_FOLLOW = (
     "Look at the robot and its queue, and do not repeat the order before: it may still be carried out"
 )
 DRIVES_ON = "It still has the order: pause it, or stop it at the robot, then cancel again"
+REJECTED = "Check that its navigation is active: `fleet-tui doctor` asks it"
 MANY = 5
 """Failed commands to at least this many robots given together are one alarm."""
 
@@ -115,6 +116,26 @@ def _cause(robot: Robot, last: commands.CommandRecord) -> str:
     return "" if detail == UNSAID else detail
 
 
+def failure_remedy(state: FleetState, robot: Robot, last: commands.CommandRecord) -> str:
+    """Return what to do about a command that failed, empty for the action of its class."""
+    is_order = isinstance(last.command, commands.PlaceOrder)
+    removes = isinstance(last.command, commands.CancelOrder | commands.ClearOrders)
+    if last.stage is commands.Stage.LATE:
+        return CARRIED_OUT
+    if removes and robot.orders.current is not None:
+        return DRIVES_ON
+    if is_order and last.stage is commands.Stage.NOT_CONFIRMED:
+        return MAY_FOLLOW
+    if is_order and (fact := find_drives_on(state, robot)) is not None:
+        return fact.action
+    drives = isinstance(last.command, commands.PlaceOrder | commands.ResumeRobot)
+    if drives and robot.kind.keeps_goals and last.stage is commands.Stage.REFUSED:
+        return REJECTED
+    remedy = remedy_of(_cause(robot, last)) if last.stage is commands.Stage.FAILED else ""
+    end = commands.ORDER_ENDS.get(last.stage)
+    return remedy or (end.remedy if end is not None else "")
+
+
 def _texts(robot: Robot, last: commands.CommandRecord, request: str) -> tuple[str, str]:
     """Return the text of a failure while it is news, and after."""
     detail = last.detail.removeprefix(f"order {last.order_id}: ")
@@ -140,18 +161,6 @@ def _failed(state: FleetState, key: Key, records: Sequence[commands.CommandRecor
     high = any(isinstance(record.command, commands.PauseRobot) for record in records)
     robot = state.robots[last.command.robot]
     told, over = _texts(robot, last, request)
-    drives_on = isinstance(last.command, commands.CancelOrder | commands.ClearOrders)
-    drives_on = drives_on and state.robots[last.command.robot].orders.current is not None
-    drives_on = drives_on and last.stage is not commands.Stage.LATE
-    remedy = remedy_of(_cause(robot, last)) if last.stage is commands.Stage.FAILED else ""
-    if isinstance(last.command, commands.PlaceOrder) and (fact := find_drives_on(state, robot)) is not None:
-        remedy = fact.action
-    if last.stage is commands.Stage.LATE:
-        remedy = CARRIED_OUT
-    if isinstance(last.command, commands.PlaceOrder) and last.stage is commands.Stage.NOT_CONFIRMED:
-        remedy = MAY_FOLLOW
-    if isinstance(last.command, commands.PlaceOrder) and last.stage in commands.ORDER_ENDS:
-        remedy = remedy or commands.ORDER_ENDS[last.stage].remedy
     return Condition(
         *key,
         Priority.HIGH if high else Priority.MEDIUM,
@@ -159,5 +168,5 @@ def _failed(state: FleetState, key: Key, records: Sequence[commands.CommandRecor
         f"{whose}{over}",
         # A failure that changes into another one is news.
         parts=frozenset(f"{record.id} {record.stage.value}" for record in records),
-        remedy=DRIVES_ON if drives_on else remedy,
+        remedy=failure_remedy(state, robot, last),
     )

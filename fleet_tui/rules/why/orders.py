@@ -15,6 +15,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.rules.causes import cause_of_end, remedy_of
+from fleet_tui.rules.commands.failures import failure_remedy
 from fleet_tui.rules.commands.local_queue import waiting
 from fleet_tui.rules.commands.newest import last_command
 from fleet_tui.rules.commands.order_ends import seen_end
@@ -35,7 +36,6 @@ from fleet_tui.situation.robots import last_contact
 from fleet_tui.text.details import detail_text
 from fleet_tui.text.units import age
 
-REJECTED = "Check that its navigation is active: `fleet-tui doctor` asks it"
 SHORT = 20.0
 """Seconds of standing with an order that need no cause."""
 RESTART = "Restart the program that carries out its orders, then check them"
@@ -54,12 +54,9 @@ def command(state: FleetState, robot: Robot) -> Reason | None:
     evidence = record.detail or f"issued {age(state.now - record.issued_at)} ago"
     strength = Strength.LIKELY if robot.orders.open else Strength.CERTAIN
     keys = (verb,) if failed else ()
-    end = ORDER_ENDS.get(record.stage)
-    remedy = "" if end is None else end.remedy or CLASSES["command"].action
-    if record.stage is Stage.FAILED and (held := remedy_of(evidence)):
-        remedy, keys = held, (*LOOK_AT, *keys, "diagnostics")
-    if robot.kind.keeps_goals and record.stage is Stage.REFUSED:
-        remedy = REJECTED
+    remedy = failure_remedy(state, robot, record) or CLASSES["command"].action if failed else ""
+    if record.stage is Stage.FAILED and remedy_of(evidence):
+        keys = (*LOOK_AT, *keys, "diagnostics")
     return Reason(
         f"{verb}: {record.stage.value}",
         evidence,

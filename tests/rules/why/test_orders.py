@@ -1,13 +1,17 @@
 """Reasons that lie in a robot's orders."""
 
+import pytest
 from msgspec.structs import replace
 
 from fleet_tui.model.commands import CHECK_DELIVERY, ORDER_ENDS, ClearOrders, Stage
 from fleet_tui.model.events import CommandAdvanced
+from fleet_tui.model.kind import Kind
 from fleet_tui.model.order import Order, at_vertices
 from fleet_tui.model.order_life import GoneOrder
+from fleet_tui.rules.alarms.classes import action_of
 from fleet_tui.rules.causes import HELD_FAST, NO_WAY
-from fleet_tui.rules.why.orders import REJECTED, RESTART
+from fleet_tui.rules.commands.failures import REJECTED
+from fleet_tui.rules.why.orders import RESTART
 from fleet_tui.rules.why.reason import LOOK_AT, Reason
 from fleet_tui.rules.why.why import reasons
 from tests.support.fleets import (
@@ -33,12 +37,26 @@ def test_a_refusal_stands_in_the_robots_own_words_for_half_a_minute() -> None:
     assert first(planted.run(40)).name == "no orders"
 
 
-def test_a_rejected_goal_has_the_remedy_for_navigation_that_is_not_active() -> None:
-    given = commanded(1, place_order(R0, 1, 2), Stage.SENT, Stage.REFUSED, at=T0 + 9, detail="goal rejected")
-    for kind, remedy in ((KEEPS, REJECTED), (FULL, "")):
-        refused = reduced(moved(kind), pose(T0 + 9), queue(T0 + 9), *given, tick(T0 + 9))
-        found = reasons(refused, refused.robots[R0])[0]
-        assert (found.name, found.remedy) == ("order: refused", remedy)
+@pytest.mark.parametrize("kind", [KEEPS, FULL])
+@pytest.mark.parametrize(
+    "stages",
+    [
+        (Stage.REFUSED,),
+        (Stage.ACCEPTED, Stage.NOT_CONFIRMED),
+        (Stage.ACCEPTED, Stage.CONFIRMED, Stage.FAILED),
+        (Stage.ACCEPTED, Stage.CONFIRMED, Stage.LOST),
+    ],
+)
+def test_the_reason_of_an_order_that_failed_and_its_alarm_advise_the_same(
+    kind: Kind, stages: tuple[Stage, ...]
+) -> None:
+    given = commanded(1, place_order(R0, 1, 2), Stage.SENT, *stages, at=T0 + 9, detail="no path to the goal")
+    state = reduced(moved(kind), pose(T0 + 9), queue(T0 + 9), *given, tick(T0 + 9))
+    (alarm,) = [one for one in state.alarms if one.condition.kind == "command"]
+    found = reasons(state, state.robots[R0])[0]
+    assert (found.name, found.remedy) == (f"order: {stages[-1].value}", action_of(alarm.condition))
+    is_rejected = kind is KEEPS and stages == (Stage.REFUSED,)
+    assert (found.remedy == REJECTED) is is_rejected, "the servers of a kind with goals may be inactive"
 
 
 def test_after_an_own_order_without_progress_w_offers_to_look_at_the_robot() -> None:
