@@ -17,9 +17,9 @@ from fleet_tui.errors import LinkError
 T = TypeVar("T")
 
 ANSWER_WITHIN = 2.0
-# Calls open at once: a bridge has a thread for each. On ROS 2 four of them have killed rosapi.
-AT_ONCE = 8
-AT_ONCE_ROS2 = 2
+AT_ONCE_ROS1 = 8
+"""Questions open at once: a bridge has a thread for each. On ROS 2, where four have killed rosapi, and before
+the version is known they are two."""
 
 
 def _nothing() -> None:
@@ -41,6 +41,8 @@ async def look_around(wire: BridgeConnection, asks_node: bool = False) -> Rosapi
         return RosapiFacts(problem=str(topics))
     types = dict(zip(_names(topics, "topics"), _names(topics, "types"), strict=False))
     ros = _ros(version, types)
+    if ros == 1:
+        wire.places = asyncio.Semaphore(AT_ONCE_ROS1)
     return RosapiFacts(
         types,
         dict.fromkeys(_names(services, "services")),
@@ -81,12 +83,14 @@ async def clock_ahead(wire: BridgeConnection) -> float | None:
 
 
 async def _ask(wire: BridgeConnection, verb: str, args: dict[str, object], key: str, until: float) -> Any:
-    """Return one field of an answer, None without an answer."""
-    try:
-        within = max(0.1, min(ANSWER_WITHIN, until - time.monotonic()))
-        answer = await wire.call(f"/rosapi/{verb}", args, within)
-    except LinkError:
-        return None
+    """Return one field of an answer, None without an answer, or a place at rosapi in time."""
+    async with wire.places:
+        if time.monotonic() > until:
+            return None
+        try:
+            answer = await wire.call(f"/rosapi/{verb}", args, min(ANSWER_WITHIN, until - time.monotonic()))
+        except LinkError:
+            return None
     return answer.get(key) if isinstance(answer, dict) else None
 
 
@@ -105,7 +109,7 @@ async def ask_publishers(
         return tuple(map(str, nodes)) if isinstance(nodes, list) else None
 
     there = [topic for topic in topics if topic in rosapi.topics]
-    found = await _each(rosapi, publishers_of, there, until, asked)
+    found = await _each(publishers_of, there, asked)
     return replace(rosapi, publishers={**rosapi.publishers, **found})
 
 
@@ -126,7 +130,7 @@ async def ask_subscribers(
 
     topics = list(topics)
     absent = {topic: () for topic in topics if topic not in rosapi.topics}
-    found = await _each(rosapi, subscribers_of, [topic for topic in topics if topic not in absent], until)
+    found = await _each(subscribers_of, [topic for topic in topics if topic not in absent])
     return replace(rosapi, subscribers={**rosapi.subscribers, **absent, **found})
 
 
@@ -140,7 +144,7 @@ async def ask_services(
         return str(await _ask(wire, "service_node", {"service": service}, "node", until) or "")
 
     rosapi = await ask_service_types(wire, rosapi, there, until)
-    return replace(rosapi, owners=await _each(rosapi, node_of, there, until))
+    return replace(rosapi, owners=await _each(node_of, there))
 
 
 async def ask_service_types(
@@ -155,7 +159,7 @@ async def ask_service_types(
     async def type_of(service: str) -> str:
         return str(await _ask(wire, "service_type", {"service": service}, "type", until) or "")
 
-    types = await _each(rosapi, type_of, [one for one in services if one in rosapi.services], until, asked)
+    types = await _each(type_of, [one for one in services if one in rosapi.services], asked)
     return replace(rosapi, services={**rosapi.services, **types})
 
 
@@ -165,24 +169,16 @@ def _names(answer: object, key: str) -> list[str]:
 
 
 async def _each(
-    rosapi: RosapiFacts,
     ask: Callable[[str], Awaitable[T | None]],
     names: list[str],
-    until: float,
     asked: Callable[[], object] = _nothing,
 ) -> dict[str, T]:
-    """Yield the answers that arrive in time, a few queried at once."""
-    free = asyncio.Semaphore(AT_ONCE if rosapi.ros == 1 else AT_ONCE_ROS2)
-    answers: dict[str, T] = {}
+    """Return the answers that arrive in time."""
 
-    async def one(name: str) -> None:
-        async with free:
-            if time.monotonic() > until:
-                return
-            answer = await ask(name)
-            asked()
-            if answer is not None:
-                answers[name] = answer
+    async def one(name: str) -> T | None:
+        answer = await ask(name)
+        asked()
+        return answer
 
-    await asyncio.gather(*(one(name) for name in names))
-    return answers
+    answers = await asyncio.gather(*map(one, names))
+    return {name: answer for name, answer in zip(names, answers, strict=True) if answer is not None}

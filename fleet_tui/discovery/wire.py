@@ -15,7 +15,7 @@ from fleet_tui.adapters.ros import operations
 from fleet_tui.adapters.ros.logs import LOG_TYPES, complaint, log_line, not_allowed
 from fleet_tui.adapters.ros.operations import Subscription
 from fleet_tui.adapters.ros.reading import ROSOUT
-from fleet_tui.client.rosbridge.calls import OWN_WORD, TIME, Calls
+from fleet_tui.client.rosbridge.calls import OWN_WORD, TIME, Calls, rosapi_places
 from fleet_tui.client.rosbridge.pulse import Pulse
 from fleet_tui.config.schema import Link
 from fleet_tui.discovery.facts import TopicFacts, key_of
@@ -31,7 +31,7 @@ if TYPE_CHECKING:  # with numpy
     from fleet_tui.model.set_up.streams import StreamValue
 
 LARGE_FRAME = 100_000
-LOOKUPS = 100  # more than are asked at once: rosapi.py limits them by the version of ROS
+LOOKUPS = 100  # more than are asked at once: `places` limits them by the version of ROS
 QUEUE = 100  # log lines that the bridge queues for us
 NAMED = re.compile(r'"topic":\s*"(?P<topic>[^"]+)"')
 FROZEN = "accepts connections but does not respond: restart it"
@@ -117,8 +117,15 @@ class TopicListening:
 class BridgeConnection:
     """One bridge, connected once. Everything runs on the network loop."""
 
-    def __init__(self, bridge: Link, adapters: Mapping[str, Adapter] = MappingProxyType({})) -> None:
+    def __init__(
+        self,
+        bridge: Link,
+        adapters: Mapping[str, Adapter] = MappingProxyType({}),
+        places: asyncio.Semaphore | None = None,
+    ) -> None:
+        """`places` for questions to rosapi, if other connections to the bridge share them."""
         self.connection = Connection(bridge, self)
+        self.places = places or rosapi_places()
         self.adapters = adapters
         """By robot, for the robots whose topics are subscribed."""
         self.lost = ""

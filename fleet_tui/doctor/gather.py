@@ -137,7 +137,9 @@ async def gather(config: Config, name: str, wire: BridgeConnection, until: float
     drawn = [floor.name for floor in config.floors if floor.map]
     adapters = adapters_of(config)
     wanted = list(_needed(feeds_of(config, adapters, name), adapters, rosapi))
-    listening = asyncio.ensure_future(listen(config.bridge(name), adapters, wanted, rosapi, until, drawn))
+    listening = asyncio.ensure_future(
+        listen(config.bridge(name), adapters, wanted, rosapi, until, drawn, wire.places)
+    )
     if not rosapi.problem:
         ahead = await clock_ahead(wire)
         rosapi = await _look_up(wanted, adapters, wire, rosapi, until)

@@ -62,12 +62,13 @@ async def listen(
     rosapi: RosapiFacts,
     until: float,
     drawn: Iterable[str] = (),
+    places: asyncio.Semaphore | None = None,
 ) -> ListeningResult:
     """Listen to all topics together until each has enough messages, or the time limit has passed. `adapters`
-    by robot; `drawn`: floors whose live map is not needed."""
+    by robot; `drawn`: floors whose live map is not needed; `places` as for BridgeConnection."""
     asked = list(_to_subscribe(wanted, rosapi, drawn))
     count = -(-len(asked) // SHARE)
-    wires = [BridgeConnection(bridge, adapters) for _ in range(count)]
+    wires = [BridgeConnection(bridge, adapters, places) for _ in range(count)]
     trips = list[float]()
     try:
         heard_by = await asyncio.gather(

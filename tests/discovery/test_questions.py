@@ -6,7 +6,7 @@ from collections import Counter
 
 from fleet_tui.discovery.facts import RosapiFacts
 from fleet_tui.discovery.questions import listed_by
-from fleet_tui.discovery.rosapi import AT_ONCE
+from fleet_tui.discovery.rosapi import AT_ONCE_ROS1
 from fleet_tui.simulator.calls import Call
 from fleet_tui.simulator.frames import Frame
 from fleet_tui.simulator.server import RosbridgeServer
@@ -36,7 +36,7 @@ async def test_a_bridge_with_two_thousand_topics_is_neither_flooded_nor_asked_fo
     found = await discovered(server.url, progress)
     asked = Counter(one.get("service") for one in server.bridge.received)
     assert asked["/rosapi/publishers"] <= 300 and asked["/rosapi/service_type"] <= 100
-    assert most <= AT_ONCE
+    assert most <= AT_ONCE_ROS1
     assert found.summary == "2 robots (oh_ressources), 2 floors"
     counted = [(done, total) for done, total, doing in progress if doing == "looking up publishers"]
     assert counted[-1][0] == counted[-1][1] <= 300

@@ -2,14 +2,12 @@
 
 import math
 import time
-from dataclasses import replace
 
 import pytest
 
 from fleet_tui.discovery.facts import RosapiFacts
 from fleet_tui.discovery.rosapi import (
-    AT_ONCE,
-    AT_ONCE_ROS2,
+    AT_ONCE_ROS1,
     ask_publishers,
     ask_service_types,
     ask_services,
@@ -73,10 +71,11 @@ async def test_publishers_are_asked_of_listed_topics_alone_and_few_at_once() -> 
     facts = RosapiFacts(topics, publishers={"/old": ("/n",)})
     found = await ask_publishers(wire.wire, facts, [*topics, "/stranger"], FOREVER, lambda: counted.append(1))
     assert found.publishers == {"/old": ("/n",), **{name: (f"{name}/node",) for name in topics}}
-    assert wire.most_open == AT_ONCE_ROS2 and len(counted) == len(wire.asked) == 100
-    old = AskedRosapi(publishers=lambda args: {"publishers": ["/n"]})
-    await ask_publishers(old.wire, replace(facts, ros=1), topics, FOREVER)
-    assert old.most_open == AT_ONCE
+    assert wire.most_open == 2 and len(counted) == len(wire.asked) == 100
+    old = rosapi(publishers={"publishers": ["/n"]})
+    await look_around(old.wire)
+    await ask_publishers(old.wire, facts, topics, FOREVER)
+    assert old.most_open == AT_ONCE_ROS1
 
 
 async def test_no_more_than_two_questions_at_once_go_to_rosapi_before_its_version_is_known() -> None:

@@ -2,16 +2,22 @@
 
 import asyncio
 import time
+from pathlib import Path
 
 import pytest
 
-from fleet_tui.config.schema import Link
+from fleet_tui.config.schema import Config, Link
+from fleet_tui.demo import demo_config
 from fleet_tui.discovery.facts import BridgeFacts
 from fleet_tui.discovery.wire import BridgeConnection
 from fleet_tui.doctor import gather
 from fleet_tui.doctor.gather import gather as gathered
 from fleet_tui.doctor.gather import measure_calls
 from fleet_tui.errors import LinkError
+from fleet_tui.simulator.calls import Call
+from fleet_tui.simulator.frames import Frame
+from fleet_tui.simulator.nav2.fleet import Nav2Fleet
+from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.transports.loop import network_loop
 from tests.support.asked_rosapi import AskedRosapi
@@ -71,3 +77,39 @@ async def test_everything_of_a_bridge_is_gathered_and_no_command_is_called(
     pause = "/robot_0/Application_layout/Pause"
     assert facts.rosapi.services[pause] == "std_srvs/Trigger" and facts.rosapi.owners[pause]
     assert not server.bridge.services.calls
+
+
+async def test_over_all_its_connections_two_questions_at_once_go_to_rosapi_of_ros_2(tmp_path: Path) -> None:
+    server = RosbridgeServer(Nav2Fleet(2, 1, seed=1, quiet=True), dialect=ROS2)
+    server.bridge.muted.add("/map")  # who holds it is asked for meanwhile
+    under_way, most = 0, 0
+
+    def answer(call: Call, frame: Frame) -> None:
+        nonlocal under_way
+        under_way -= 1
+        call.reply(frame)
+
+    def deliver(call: Call, frame: Frame) -> None:
+        nonlocal under_way, most
+        under_way += 1
+        most = max(most, under_way)
+        asyncio.get_running_loop().call_later(0.4, answer, call, frame)
+
+    server.bridge.services.deliveries |= dict.fromkeys(server.bridge.services.rosapi.services, deliver)
+    await server.start()
+    config = demo_config(Config(), server.url, 2, 1, "2", "nav2", tmp_path)
+
+    async def gather_all() -> BridgeFacts:
+        wire = BridgeConnection(Link(server.url))
+        try:
+            assert not await wire.connect(5.0)
+            return await gathered(config, "rosbridge", wire, time.monotonic() + 20)
+        finally:
+            wire.close()
+
+    try:
+        await asyncio.wrap_future(asyncio.run_coroutine_threadsafe(gather_all(), network_loop()))
+    finally:
+        await server.stop()
+    asked = [one.get("service") for one in server.bridge.received]
+    assert "/rosapi/subscribers" in asked and most == 2

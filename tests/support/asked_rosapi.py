@@ -4,6 +4,7 @@ import asyncio
 from collections.abc import Callable, Mapping
 from typing import Any, cast
 
+from fleet_tui.client.rosbridge.calls import rosapi_places
 from fleet_tui.discovery.wire import BridgeConnection
 from fleet_tui.errors import LinkError
 
@@ -16,6 +17,7 @@ class AskedRosapi:
     def __init__(self, **answers: Answer) -> None:
         self.answers, self.deaf = answers, set[str]()
         self.lost = ""
+        self.places = rosapi_places()
         self.asked: list[tuple[str, Mapping[str, Any]]] = []
         self.open = self.most_open = 0
 
