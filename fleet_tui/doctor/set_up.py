@@ -36,7 +36,7 @@ def listener_finding(robot: str, probe: ListenerProbe, facts: BridgeFacts) -> Fi
     fitting = [name for name, type_ in rosapi.topics.items() if same_type(type_, probe.type)]
     own = [name for name in fitting if name.startswith(f"/{robot}/") and name != probe.topic]
     near = nearest(probe.topic, own, 1)
-    if not near and probe.key not in facts.adapters[robot].names.profile.topics:
+    if not near and not facts.adapters[robot].names.is_chosen(probe.key):
         return finding(Verdict.SKIPPED, f"nobody listens on {probe.topic}: no {probe.lost}")
     meant = f"did you mean {near[0]}? Otherwise " if near else ""
     start = f'start the node that listens, or set [{table}.topics] {probe.key} = "" if not used'
@@ -59,7 +59,7 @@ def service_finding(robot: str, probe: ServiceProbe, facts: BridgeFacts) -> Find
         start = f"start the node that offers it, or set [{table}.services] {off} if not used"
         missing = f"{service} is not on the bridge: no {probe.lost}"
         remedy = near_service(adapter, robot, key, service, probe.type, rosapi)
-        if not remedy and adapter.names.profile.services.keys().isdisjoint(probe.keys):
+        if not remedy and not any(map(adapter.names.is_chosen, probe.keys)):
             return finding(Verdict.SKIPPED, missing)
         return finding(Verdict.WARN, missing, remedy or start)
     if there is None:

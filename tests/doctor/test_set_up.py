@@ -104,3 +104,16 @@ def test_a_kind_without_the_names_has_nothing_to_check() -> None:
     facts = site()
     bare = KINDS["oh_ressources"].adapter(Profile(), Site())
     assert found(replace(facts, adapters={R0: bare})) == {}
+
+
+@pytest.mark.parametrize(
+    ("map_saver", "verdict"), [("/map_saver/save_map", Verdict.SKIPPED), ("/saver/save", Verdict.WARN)]
+)
+def test_a_usual_name_without_a_namespace_was_chosen_by_nobody(map_saver: str, verdict: Verdict) -> None:
+    profile = Profile(
+        kind="nav2", topics={"initial_pose": "/initialpose"}, services={"map_save": map_saver}
+    )  # as `config init` writes them all
+    facts = well(altered(config_of("ws://site:9090"), profile=profile))
+    findings = found(with_rosapi(facts, subscribers={"/initialpose": ()}))
+    assert findings["service map_save"].verdict is verdict
+    assert findings["initial_pose"].verdict is Verdict.SKIPPED

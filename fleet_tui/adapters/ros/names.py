@@ -47,6 +47,13 @@ class Names:
         """Return the name of a topic, empty if this site has none."""
         return _filled(self.profile.topics.get(key, self.vocabulary.topics[key][0]), robot, floor)
 
+    def is_chosen(self, key: str) -> bool:
+        """Tell whether a person named a topic or a service: of a robot without a namespace all usual names
+        are in the profile."""
+        given = {**self.profile.topics, **self.profile.services}
+        usual, _ = {**self.vocabulary.topics, **self.vocabulary.services}[key]
+        return key in given and given[key] != usual.replace("/{robot}", "")
+
     def type(self, key: str) -> str:
         """The ROS type of a topic."""
         return self.profile.types.get(key, self.vocabulary.topics[key][1])
