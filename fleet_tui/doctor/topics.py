@@ -136,11 +136,12 @@ def _missing(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Finding:
         return _finding(facts, Verdict.WARN, measured, remedy)
     names = bridge.adapters[wanted.robot].names
     heard = {one.wanted.key for one in bridge.of(wanted.robot) if one.count}
-    if key == "pose" and wanted.silent and heard and "tf" not in heard:  # transforms are judged themselves
+    placing = "pose" if names.topic("pose", wanted.robot) else "tf"
+    if key == placing and wanted.silent and heard and "tf" not in heard:  # transforms are judged themselves
         if remedy:
             check = f"{remedy}; else {ADRIFT.alarm.action.lower()}"
         else:
-            check = f"{ADRIFT.alarm.action}; if it runs, correct [{names.table}.topics] {key}"
+            check = f"{ADRIFT.alarm.action}; if it runs, correct [{names.table}.topics] pose"
         return _finding(facts, Verdict.FAIL, f"{ADRIFT.word}: {measured}", check)
     if wanted.silent and not remedy and key not in names.profile.topics:
         return _finding(facts, Verdict.SKIPPED, f"{measured}: not needed")

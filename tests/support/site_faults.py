@@ -376,6 +376,11 @@ def _unlocalised(server: RosbridgeServer) -> None:
     navigation_of(server, "robot_0").robot.is_unlocalised = True
 
 
+def _configured_without_pose(server: RosbridgeServer, config: Config) -> Config:
+    server.bridge.withdraw("/robot_0/amcl_pose")
+    return msgspec.structs.replace(config, profile=Profile(kind="nav2", topics={"pose": ""}))
+
+
 def _no_waypoints(server: RosbridgeServer) -> None:
     names = [
         name
@@ -437,6 +442,7 @@ NAV2_PLANTS: dict[str, Plant] = {
     "with Nav2 a localisation that has died": on_the_server(
         lambda server: server.bridge.withdraw("/robot_0/amcl_pose")
     ),
+    "with Nav2 a configuration from while no localisation ran": _configured_without_pose,
     "with Nav2 transforms without a localisation": on_the_server(_unlocalised),
     "with Nav2 a battery that reports 0 to 100": _with_fault("percent"),
     "with Nav2 a battery without measurement": _with_fault("unmeasured"),
