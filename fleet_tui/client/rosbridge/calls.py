@@ -2,8 +2,7 @@
 
 import asyncio
 import itertools
-from collections.abc import AsyncIterator, Mapping
-from contextlib import asynccontextmanager
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from fleet_tui.adapters.ros import operations
@@ -56,6 +55,8 @@ class Calls:
         self._connection = connection
         self._places = places
         self._pending: dict[str, asyncio.Future[operations.ServiceResponse]] = {}
+        self._questions: dict[str, asyncio.TimerHandle] = {}
+        """Those that rosapi works on, also without anybody who waits, until the bridge drops them."""
         self._ids = itertools.count(1)
 
     def start(self, service: str, args: Mapping[str, object], within: float) -> "PendingCall":
@@ -118,31 +119,41 @@ class Calls:
     ) -> tuple[float, operations.ServiceResponse]:
         """Send a call and wait for its answer; return the seconds of running between them, too. The bridge
         keeps the call for `kept` seconds if these are more. Raises the errors of `start` and `wait`."""
-        async with self._place(service, within):
+        is_question = service.startswith("/rosapi/") and service != OWN_WORD
+        if is_question:
+            await self._take_place(service, within)
+        try:
             call = self.start(service, args, max(within, kept))
-            try:
-                return await timed(self.wait(call, within))
-            finally:
-                self.forget(call)
+        except LinkError:
+            if is_question:
+                self._places.release()
+            raise
+        if is_question:
+            until_dropped = max(within, kept) + GRACE
+            loop = asyncio.get_running_loop()
+            self._questions[call.id] = loop.call_later(until_dropped, self._leave_place, call.id)
+        try:
+            return await timed(self.wait(call, within))
+        finally:
+            self.forget(call)
 
-    @asynccontextmanager
-    async def _place(self, service: str, within: float) -> AsyncIterator[None]:
-        """Hold a place at rosapi for a question to it. Raises NoAnswerError if none gets free in time."""
-        if not service.startswith("/rosapi/") or service == OWN_WORD:
-            yield
-            return
+    async def _take_place(self, service: str, within: float) -> None:
+        """Wait for a place at rosapi. Raises NoAnswerError if none gets free in time."""
         try:
             async with asyncio.timeout(within):
                 await self._places.acquire()
         except TimeoutError:
             raise NoAnswerError(f"from {service}: rosapi left others unanswered for {within:g} s") from None
-        try:
-            yield
-        finally:
+
+    def _leave_place(self, call_id: str) -> None:
+        """Give the place of a question back: it is answered, was dropped, or lost."""
+        if (dropped := self._questions.pop(call_id, None)) is not None:
+            dropped.cancel()
             self._places.release()
 
     def on_response(self, response: operations.ServiceResponse) -> bool:
         """Take an answer; False if no caller waits for it (any more)."""
+        self._leave_place(response.id)
         answer = self._pending.get(response.id)
         if answer is None or answer.done():
             return False
@@ -151,6 +162,8 @@ class Calls:
 
     def on_lost(self) -> None:
         """End every open call: a new connection can't deliver their answers."""
+        for call_id in [*self._questions]:
+            self._leave_place(call_id)
         for answer in self._pending.values():
             if not answer.done():
                 answer.set_exception(LinkLostError("link lost before the reply: may still be carried out"))

@@ -67,6 +67,26 @@ async def test_what_is_asked_of_rosapi_waits_for_its_turn_and_no_other_call_does
     await asyncio.gather(*open_calls)
 
 
+@pytest.mark.parametrize("is_lost", [False, True])
+async def test_a_question_keeps_its_place_at_rosapi_though_nobody_waits_for_its_answer_any_more(
+    calls: Calls, sent: Sent, is_lost: bool
+) -> None:
+    ended = await asyncio.gather(
+        *(calls.call("/rosapi/get_time", {}, 0.01) for _ in range(2)), return_exceptions=True
+    )
+    assert [type(error) for error in ended] == [NoAnswerError, NoAnswerError]
+    third = asyncio.ensure_future(calls.call("/rosapi/topics", {}, 5.0))
+    await asyncio.sleep(0)
+    assert len(sent.frames) == 2, "rosapi works on both"
+    if is_lost:
+        calls.on_lost()
+    else:
+        assert not calls.on_response(answer(sent.frames[0]["id"]))
+    await asyncio.sleep(0.01)
+    calls.on_response(answer(sent.frames[2]["id"]))
+    await third
+
+
 async def test_a_question_that_gets_no_place_at_rosapi_ends_in_time_and_is_not_sent(
     calls: Calls, sent: Sent
 ) -> None:
