@@ -2,8 +2,10 @@
 
 import re
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 
 from fleet_tui.adapters.adapter import Adapter
+from fleet_tui.adapters.profile import Profile
 from fleet_tui.adapters.ros.names import Names
 from fleet_tui.adapters.ros.type_names import plain_type, same_type
 from fleet_tui.config.schema import Config
@@ -43,7 +45,7 @@ def near_topic(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> str:
     wanted, types = facts.wanted, bridge.rosapi.topics
     free = set(filter(bridge.rosapi.has, types)) - {one.topic for one in bridge.topics}
     fitting = [topic for topic in free if same_type(types[topic], wanted.type)]
-    own = [topic for topic in fitting if topic.startswith(f"/{wanted.robot}/")]
+    own = _own(bridge.adapters[wanted.robot].names, wanted.robot, facts.topic, fitting, bridge.rosapi)
     near = nearest(facts.topic, own) or nearest(facts.topic, fitting)
     if not near:
         return ""
@@ -55,6 +57,16 @@ def near_topic(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> str:
         return f"{meant} Rename floor {wanted.floor} to {floor}"
     template = near[0].replace(f"/{wanted.robot}/", "/{robot}/").replace(f"/{wanted.floor}/", "/{floor}/")
     return f'{meant} Set [{bridge.table(wanted.robot)}.topics] {wanted.key} = "{template}"'
+
+
+def _own(names: Names, robot: str, missing: str, there: Iterable[str], rosapi: RosapiFacts) -> list[str]:
+    """Return the names that may be a robot's in place of a missing one: in its namespace; of one without a
+    namespace those outside all others."""
+    space = f"/{robot}/"
+    if missing.startswith(space):
+        return [name for name in there if name.startswith(space)]
+    others = robots_on(replace(names, profile=Profile()), rosapi)
+    return [name for name in there if name.split("/")[1] not in others]
 
 
 def _floor_in(names: Names, facts: TopicFacts, topic: str) -> str:
@@ -75,9 +87,9 @@ def near_service(
     fitting = (
         name
         for name, type_ in rosapi.services.items()
-        if name.startswith(f"/{robot}/") and name not in own and same_type(type_ or "", expected)
+        if name not in own and same_type(type_ or "", expected)
     )
-    near = nearest(service, fitting, 1)
+    near = nearest(service, _own(adapter.names, robot, service, fitting, rosapi), 1)
     if not near:
         return ""
     template = near[0].replace(f"/{robot}/", "/{robot}/")

@@ -3,6 +3,9 @@
 from collections.abc import Mapping
 from dataclasses import replace
 
+from msgspec.structs import replace as altered
+
+from fleet_tui.adapters.profile import Profile
 from fleet_tui.discovery.facts import BridgeFacts, RosapiFacts, TopicFacts
 from fleet_tui.doctor.names import near_service, near_topic, robots_on, spelling_finding
 from tests.support.bridge_facts import well, with_rosapi
@@ -68,3 +71,22 @@ def test_types_that_ros_2_spells_otherwise_are_written_down() -> None:
     found = spelling_finding(CONFIG, with_rosapi(WELL, topics=spelled))
     assert found is not None and "[profile.types] " in found.remedy
     assert 'queue = "oh_ressources/msg/' in found.remedy and "battery" not in found.remedy
+
+
+def test_names_of_a_robot_without_a_namespace_are_proposed_as_they_are() -> None:
+    config = altered(
+        config_of("ws://site:9090"),
+        profile=Profile(topics={"battery": "/battery"}, services={"pause": "/pause"}),
+    )
+    facts = well(config)
+    (battery,) = (one for one in facts.topics if one.topic == "/battery")
+    types = {"/battery_state": facts.rosapi.topics["/battery"]}
+    bridge = with_rosapi(facts, topics=types, publishers={})
+    meant = 'did you mean /battery_state? Set [profile.topics] battery = "/battery_state"'
+    assert near_topic(config, battery, bridge) == meant
+    another = {"/robot_9/queue": "OH_ressources/ActionQueue"}
+    services = RosapiFacts(another, {"/pause_it": TRIGGER, "/robot_9/pause": TRIGGER})
+    found = near_service(facts.adapters["robot_0"], "robot_0", "pause", "/pause", TRIGGER, services)
+    assert found == 'did you mean /pause_it? Set [profile.services] pause = "/pause_it"'
+    of_another = RosapiFacts(another, {"/robot_9/pause": TRIGGER})
+    assert near_service(facts.adapters["robot_0"], "robot_0", "pause", "/pause", TRIGGER, of_another) == ""
