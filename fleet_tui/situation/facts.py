@@ -8,9 +8,9 @@ NO_LINK = FactKind(
     "link restored",
     AlarmClass(
         "high",
-        "no connection to a bridge",
+        "no connection to a bridge or broker",
         "its robots can be neither seen nor commanded",
-        "Start rosbridge, or repair the network; `fleet-tui doctor` names the step that fails",
+        "Start the bridge or broker, mend network or settings; `fleet-tui doctor` names the step that fails",
         1,
     ),
     keys=("diagnostics",),

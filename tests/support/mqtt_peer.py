@@ -53,7 +53,10 @@ class Peer:
         self.on_told(told)
 
     def publish(self, topic: str, payload: bytes, retain: bool = False, qos: int = 0) -> None:
-        self._client.publish(topic, payload, qos, retain)
+        """Publish; with `qos` it has arrived."""
+        sent = self._client.publish(topic, payload, qos, retain)
+        if qos:
+            eventually(sent.is_published)
 
     def told_on(self, topic: str) -> list[bytes]:
         return [one.payload for one in self.told if one.topic == topic]

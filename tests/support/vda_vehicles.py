@@ -48,7 +48,9 @@ def library() -> Path:
                 subprocess.run(command, cwd=FOLDER, check=True, capture_output=True, timeout=45)
             except (subprocess.SubprocessError, OSError):
                 pytest.skip(f"npm can't install {LIBRARY}")
-        (FOLDER / "vehicle.js").write_text(PROGRAM)
+        written = FOLDER / "vehicle.new"
+        written.write_text(PROGRAM)
+        written.replace(FOLDER / "vehicle.js")  # whole: a vehicle of another run may be reading it
     return FOLDER
 
 
