@@ -79,11 +79,11 @@ def causes_of(config: Config, facts: BridgeFacts) -> list[Cause]:
 
 def _not_allowed(facts: BridgeFacts) -> Iterator[Cause]:
     """Find what the allow-lists of a bridge lack."""
-    called = {name for robot, adapter in facts.adapters.items() for _, name, _ in adapter.services(robot)}
+    offered = {name for robot, adapter in facts.adapters.items() for _, name, _ in adapter.services(robot)}
     actions = {name for robot, adapter in facts.adapters.items() for name in adapter.names.actions(robot)}
     lists = {
         "topics_glob": [one.topic for one in facts.topics if one.complaint == NOT_ALLOWED],
-        SERVICES_GLOB: sorted(facts.barred & called),
+        SERVICES_GLOB: sorted(facts.barred & (offered | facts.answers.keys())),
         # Of a goal that any client sent within the last seconds: the doctor sends none.
         ACTIONS_GLOB: sorted(facts.barred & actions),
     }

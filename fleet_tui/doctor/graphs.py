@@ -17,7 +17,7 @@ def graph_file_finding(floor: FloorEntry, file: FloorGraphLoaded | None, needing
             f"none, and {needing} of its robots publish{'es' * (needing == 1)} no graph: places have no names"
         )
         remedy = "set floors.graph of this floor to a graph file, such as GeoJSON"
-        return Finding(floor.name, "graph file", Verdict.WARN, absent, remedy)
+        return Finding(floor.name, "graph file", Verdict.SKIPPED, absent, remedy)
     if file.graph is not None and not needing:
         unused = f"{floor.graph} unused: all robots of the floor publish a graph"
         return Finding(floor.name, "graph file", Verdict.WARN, unused, "remove floors.graph")

@@ -6,6 +6,7 @@ from fleet_tui.adapters.probes import LifecycleProbe, lifecycle_label
 from fleet_tui.adapters.ros.type_names import same_type
 from fleet_tui.discovery.facts import BridgeFacts
 from fleet_tui.discovery.finding import Finding, Verdict
+from fleet_tui.model.link import SERVICES_GLOB
 from fleet_tui.situation.facts import INACTIVE
 from fleet_tui.situation.navigation import inactive_cause
 
@@ -19,6 +20,8 @@ def lifecycle_finding(robot: str, probe: LifecycleProbe, facts: BridgeFacts) -> 
     def finding(verdict: Verdict, measured: str, remedy: str = "", out_of_time: bool = False) -> Finding:
         return Finding(robot, probe.check, verdict, measured, remedy, values, out_of_time)
 
+    if probe.service in facts.barred:
+        return finding(Verdict.SKIPPED, f"not in {SERVICES_GLOB}: see above")
     if probe.service not in facts.answers:
         if rosapi.problem:
             return finding(Verdict.SKIPPED, "not checked without rosapi")

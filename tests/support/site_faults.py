@@ -411,10 +411,6 @@ def _start_without_odometry(server: RosbridgeServer) -> None:
         FAULTS[fault][1](server, "robot_0")
 
 
-def _without_graph(server: RosbridgeServer, config: Config) -> Config:
-    return msgspec.structs.replace(config, floors=[FloorEntry("floor_0")])
-
-
 NAV2_PLANTS: dict[str, Plant] = {
     "with Nav2 the bridge of Humble": _with_fault("humble"),
     "with Nav2 a message package that the bridge lacks": _with_fault("unsourced"),
@@ -427,6 +423,7 @@ NAV2_PLANTS: dict[str, Plant] = {
     "with Nav2 no odometry": _with_fault("no-odom"),
     "with Nav2 a silent robot": _with_fault("silent"),
     "with Nav2 a bridge whose ROS thread has ended": _with_fault("half-dead"),
+    "with Nav2 services that services_glob lacks": _with_fault("services-glob"),
     "with Nav2 a missing action server": on_the_server(_no_waypoints),
     "with Nav2 nodes that are not active": _with_fault("inactive"),
     "with Nav2 a dead controller": _with_fault("node-down"),
@@ -446,7 +443,6 @@ NAV2_PLANTS: dict[str, Plant] = {
     "with Nav2 transforms without a localisation": on_the_server(_unlocalised),
     "with Nav2 a battery that reports 0 to 100": _with_fault("percent"),
     "with Nav2 a battery without measurement": _with_fault("unmeasured"),
-    "with Nav2 no graph file": _without_graph,
 }
 """The same for robots with Nav2."""
 
