@@ -123,6 +123,8 @@ class Sending:
         self.log: Callable[[str, str], None] = lambda _change, _words: None
         """Writes an event of this command line to the audit log."""
         store.watchers.append(self._keep)
+        if how.until_done:  # often only the log of a robot tells why it did not drive an order
+            link.subscribe_logs(True)
         self.begin()
 
     def begin(self) -> None:

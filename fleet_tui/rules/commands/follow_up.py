@@ -17,9 +17,10 @@ from fleet_tui.model.commands import (
     Step,
 )
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.order_life import STARTED_OVER, GoneOrder, latest, listed_end
+from fleet_tui.model.order_life import STARTED_OVER, UNSAID, GoneOrder, latest, listed_end
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import SetUpCommand
+from fleet_tui.rules.causes import cause_of_end
 from fleet_tui.rules.commands.confirmation import is_repeated
 from fleet_tui.rules.commands.local_queue import next_id
 from fleet_tui.rules.commands.newest import last_command
@@ -100,8 +101,13 @@ def _ended(state: FleetState, robot: Robot, record: CommandRecord) -> CommandRec
         return record  # another console may have removed it
     if stage is Stage.FAILED and robot.kind.keeps_goals:
         # The id of a goal says nothing to a person who looks for the cause.
-        return record.advanced(Step(stage, state.now, reason))
+        return record.advanced(Step(stage, state.now, _cause(robot, gone, reason)))
     return _advanced_to(state, record, stage, reason)
+
+
+def _cause(robot: Robot, gone: GoneOrder, reason: str) -> str:
+    """Return the reason of a failure: where none came with it, that of the robot's log."""
+    return (cause_of_end(robot, gone) or reason) if reason == UNSAID else reason
 
 
 def _advanced_to(state: FleetState, record: CommandRecord, stage: Stage, reason: str) -> CommandRecord:

@@ -3,6 +3,7 @@
 from pathlib import Path
 
 from fleet_tui.simulator.kinds import play
+from fleet_tui.simulator.navigating.graph_file import write_graphs
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.cli import asked, run
 
@@ -35,3 +36,15 @@ async def test_when_the_time_is_up_it_says_where_the_order_is(server: RosbridgeS
     words = ("order", "robot_0", "Base", "Consumidores", "--until-done", "--timeout", "2")
     done = await run(folder, *words)
     assert done.code == 1 and "not done (order 1 is in process, not done within" in done.err
+
+
+async def test_an_order_that_failed_without_a_reason_has_that_of_the_log(
+    nav2: RosbridgeServer, tmp_path: Path
+) -> None:
+    play(nav2, [("silent-aborts", "robot_0")])
+    (file,) = write_graphs(tmp_path / "routes.geojson", 1)
+    site = f'url = "{nav2.url}"\n[profile]\nkind = "nav2"\n[[floors]]\nname = "floor_0"\ngraph = "{file}"\n'
+    (tmp_path / "config.toml").write_text(f'[rosbridge]\n{site}[[robots]]\nname = "robot_0"\n')
+    failed = await run(tmp_path, "order", "robot_0", "id=8", "--until-done")
+    said = "Timed out while waiting for action server to acknowledge goal request for follow_path"
+    assert failed.code == 1 and f"not done (failed: {said})" in failed.err
