@@ -202,7 +202,8 @@ def _verdict(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> tuple[Ve
 
 
 def _received_on_retry(facts: TopicFacts, rosapi: RosapiFacts) -> tuple[Verdict, str, str]:
-    """Return the reason that a floor's topic arrived only with default options, or fragmented."""
+    """Judge a topic that arrived only with default options, or fragmented. What is sent only on a change must
+    be latched: that of a floor."""
     if facts.fragmented:
         binary = "never as cbor, " if facts.wanted.large else ""
         return (
@@ -211,6 +212,8 @@ def _received_on_retry(facts: TopicFacts, rosapi: RosapiFacts) -> tuple[Verdict,
             " bridge's max_message_size",
             "start rosbridge with a larger max_message_size (10 MB in its launch file, 1 MB with ros2 run)",
         )
+    if not facts.wanted.floor:
+        return Verdict.OK, "received without quality of service: its publisher is volatile", ""
     asked = "cbor, or quality of service" if facts.wanted.large else "quality of service"
     return (
         Verdict.WARN,

@@ -20,6 +20,7 @@ from fleet_tui.config.entries import FloorEntry, RobotEntry
 from fleet_tui.config.schema import Config, Link
 from fleet_tui.demo import demo_config
 from fleet_tui.doctor.run import doctor
+from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.nav2.navigation import NODES
 from fleet_tui.simulator.navigating.graph_file import write_graphs
 from fleet_tui.simulator.ros_types import ServiceType
@@ -139,6 +140,14 @@ async def test_nothing_is_wrong_with_a_fleet_with_nav2(nav2: RosbridgeServer, tm
     assert (code, said[-1]) == (0, f"{len(said) - 1} ok")
     assert_harmless(nav2, IS_ACTIVE)
     assert nav2.bridge.services.calls == [(IS_ACTIVE, {})]
+
+
+async def test_a_volatile_pose_that_is_repeated_is_no_fault(nav2: RosbridgeServer, tmp_path: Path) -> None:
+    play(nav2, [("volatile-pose", "robot_0")])
+    said = list[str]()
+    code = await asyncio.to_thread(doctor, nav2_config(nav2.url, tmp_path), TIMEOUT, False, said.append)
+    assert (code, said[-1]) == (0, f"{len(said) - 1} ok")
+    assert any("robot_0 pose: received without quality of service" in line for line in said)
 
 
 async def test_a_remedy_names_the_table_of_the_robots_profile(nav2: RosbridgeServer, tmp_path: Path) -> None:
