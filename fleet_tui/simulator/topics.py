@@ -192,7 +192,9 @@ class TopicDesk:
         topic = self.topics.get(resolve(asked))
         if topic is None or channels is not self.channels or client not in channels.clients(asked):
             return
-        if channels.durable(asked) and channels.receives(asked, topic) and topic.name not in self.muted:
+        if topic.name in self.muted or topic.name in self.orphaned:
+            return
+        if channels.durable(asked) and channels.receives(asked, topic):
             now = time.time()
             for payload in topic.history() if topic.history else (topic.payload(now),):
                 self._offer(client, asked, OutgoingFrame(asked, payload))

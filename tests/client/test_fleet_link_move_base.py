@@ -1,14 +1,17 @@
 """Orders of robots with move_base, over a real loopback bridge: given, confirmed, driven, cancelled."""
 
 import asyncio
+import json
 from collections.abc import AsyncIterator
 from pathlib import Path
 
 import msgspec
 import pytest
+from websockets.asyncio.client import connect
 
+from fleet_tui.cli.status.report import attention
 from fleet_tui.client.queue_file import FILE, WaitingOrder
-from fleet_tui.client.rosbridge import publishing
+from fleet_tui.client.rosbridge import publishing, renewals
 from fleet_tui.client.rosbridge.services import Services
 from fleet_tui.config.schema import Operator
 from fleet_tui.model.commands import CancelOrder, ClearOrders, PauseRobot, ResumeRobot, Stage
@@ -233,3 +236,34 @@ async def test_a_goal_that_is_listed_only_after_a_pause_is_stopped_too(site: Mov
         ended = await reached(store, pause, Stage.CONFIRMED, Stage.NOT_CONFIRMED)
     assert ended.stage is Stage.CONFIRMED and not site.navigation().busy
     assert [one["id"][:20] for one in site.published("/cancel")] == ["/robot_0/move_base-1"]
+
+
+async def test_a_pose_topic_that_died_alone_is_subscribed_again_once_the_robot_moves(
+    site: MoveBaseSite,
+) -> None:
+    """As after a restart of roscore, when another client held it: the wheels of its robot are back."""
+    pose = f"/{R0}/amcl_pose"
+    async with linked(site.config) as (link, store):
+        await store.until(known)
+        site.server.bridge.orphaned.add(pose)
+        site.server.bridge.received.clear()
+        await finished(link, store, site.to("Consumidores"))
+        await store.until(lambda state: robot(state).adrift_at is not None)
+        await store.until(lambda state: robot(state).adrift_at is None)
+        asked = [one["topic"] for one in site.server.bridge.received if one["op"] == "subscribe"]
+    assert asked == [pose]
+
+
+async def test_a_pose_topic_that_another_client_holds_dead_blames_the_bridge(
+    site: MoveBaseSite, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(renewals, "FIRST_RENEWAL", 3.0)
+    pose = f"/{R0}/amcl_pose"
+    async with linked(site.config) as (link, store), connect(site.server.url) as other:
+        await store.until(known)
+        await other.send(json.dumps({"op": "subscribe", "topic": pose}))
+        await store.until(lambda _: site.server.bridge.subscribers(pose) == 2)
+        site.server.bridge.orphaned.add(pose)
+        await finished(link, store, site.to("Consumidores"))
+        lost = "rosbridge: rosbridge lost its subscriptions of robot_0: restart it"
+        await store.until(lambda state: lost in attention(state))

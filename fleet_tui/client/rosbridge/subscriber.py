@@ -56,8 +56,11 @@ class Subscriber:
         self._adapters = adapters
         self._pacing = pacing
         self._robots = {robot for feed in self._feeds for robot in feed.robots}
-        regular = (feed.address for feed in self._feeds if _is_regular(feed))
-        self._renewals = Renewals({*regular, *self._robots}, len(self._feeds))
+        regular = {feed.address for feed in self._feeds if _is_regular(feed)}
+        placing = (feed for feed in self._feeds if feed.key in ("pose", "tf") and not _is_regular(feed))
+        self._placing = {feed.address: feed.robots for feed in placing}
+        """Robots by topic of a localisation, which is silent while they stand."""
+        self._renewals = Renewals({*regular, *self._placing, *self._robots}, len(self._feeds))
         self.types: dict[str, str] = {}
         """Type by topic, as last listed by rosapi; empty if it does not answer."""
         self._refused: set[str] = set()
@@ -153,10 +156,10 @@ class Subscriber:
         if self._task is not None:
             self._task.cancel()
 
-    def check(self, now: float, last_message: Mapping[str, float]) -> None:
+    def check(self, now: float, last_message: Mapping[str, float], adrift: Mapping[str, float]) -> None:
         """Subscribe again to topics that should come faster or slower by now, of the same id, which replaces
         the earlier one, and to topics that have been silent for long; `last_message` is by robot, in
-        monotonic seconds."""
+        monotonic seconds, and so is since when only its wheels tell where it is, in `adrift`."""
         if self._task is None or not self._connection.is_connected:
             return
         for feed in self._pacing.due(now):
@@ -171,7 +174,11 @@ class Subscriber:
             del self._renewed[topic]
         if self._dropped & back:
             self._report_dropped(self._dropped - back)
-        silent, release_time = self._renewals.due(now, {**heard, **last_message})
+        placed = {
+            topic: max(heard.get(topic, 0.0), min(adrift.get(robot, now) for robot in robots))
+            for topic, robots in self._placing.items()
+        }
+        silent, release_time = self._renewals.due(now, {**heard, **placed, **last_message})
         if silent:
             LOG.info("silent, subscribing again: %s", " ".join(sorted(silent)))
             self._task = asyncio.ensure_future(self._renew(silent, release_time))
@@ -190,9 +197,9 @@ class Subscriber:
         self.types = await topic_types(self._calls)
         for wanted in renewed:
             self._subscribe(wanted)
-        again = [one.address for one in renewed if _is_regular(one) and one.address in self._renewed]
-        now = time.monotonic()
-        self._renewed.update({one.address: now for one in renewed if _is_regular(one)})
+        awaited = [one.address for one in renewed if _is_regular(one) or one.address in silent]
+        again = [topic for topic in awaited if topic in self._renewed]
+        self._renewed.update(dict.fromkeys(awaited, time.monotonic()))
         await self._look_for_lost(again)
 
     async def _look_for_lost(self, topics: Sequence[str]) -> None:
