@@ -26,7 +26,7 @@ HALF_DEAD_AFTER = 1.5
 """Seconds without a message on any topic after which a bridge of which no node answers is half dead."""
 NO_NODE = "ROS knows no node, not even the bridge: start rosapi, or restart the bridge and the robots' nodes"
 """As after a restart of the ROS master: what was connected before goes on."""
-UNPROVEN = "not tried yet: neither rosapi nor the bridge's own node answers"
+UNPROVEN = "not tried yet: no node answers"
 """As well as NO_NODE it may be a site without rosapi whose bridge has another name: a command shows it."""
 
 

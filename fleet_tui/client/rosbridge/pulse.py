@@ -53,8 +53,8 @@ class Pulse:
 
     @property
     def knows_no_node(self) -> bool:
-        """Tell whether neither rosapi nor the bridge's own node is there, as far as both were asked."""
-        return OF_NODE.keys() <= self._questions.keys() <= self._absent
+        """Tell whether no node is there of those that may be asked: rosapi, and the bridge's own."""
+        return self._questions.keys() <= self._absent
 
 
 def is_unknown(values: object) -> bool:

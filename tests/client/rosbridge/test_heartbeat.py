@@ -2,11 +2,12 @@
 
 from pathlib import Path
 
+import msgspec
 import pytest
 
 from fleet_tui.cli.status.report import attention
 from fleet_tui.client.rosbridge import calls, heartbeat, pulse, soundings
-from fleet_tui.config.schema import Config
+from fleet_tui.config.schema import Config, Operator
 from fleet_tui.demo import demo_config
 from fleet_tui.model.commands import PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.counters import RoundTrips
@@ -114,6 +115,15 @@ async def test_a_site_without_rosapi_whose_bridge_has_another_name_is_no_alarm(
         assert not [line for line in attention(state) if line.startswith("rosbridge")]
         assert (await finished(link, store, PauseRobot("robot_0"))).stage is Stage.CONFIRMED
         assert store.state.links["rosbridge"].command_reason == ""
+
+
+async def test_a_console_that_may_only_read_calls_no_path_alive_of_which_rosapi_knows_nothing(
+    server: RosbridgeServer,
+) -> None:
+    play(server, [("lost-master", "robot_0")])
+    config = msgspec.structs.replace(config_of(server.url, 1), operator=Operator(read_only=True))
+    async with linked(config) as (_, store):
+        await store.until(lambda state: state.links["rosbridge"].command_reason == heartbeat.UNPROVEN)
 
 
 async def test_a_bridge_whose_nodes_answer_is_asked_nothing_that_is_an_error_in_the_log_of_its_site(
