@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 
 from fleet_tui.adapters.adapter import ActionGoal, ServiceCall
 from fleet_tui.adapters.nav2.vocabulary import ACTIONS, MOTIONS
-from fleet_tui.adapters.ros.names import Names
+from fleet_tui.adapters.ros.names import Names, cancel_service
 from fleet_tui.adapters.ros_navigation.places import pose_of_stop, stamped
 from fleet_tui.errors import CommandError
 from fleet_tui.model.geometry import Pose
@@ -97,5 +97,5 @@ def unknown_goals(
 def _cancel(names: Names, robot: Robot, action: str, uuid: str) -> ServiceCall:
     # Complete: the bridge fills gaps with zeros, and an all-zero id means all goals.
     info = {"goal_id": {"uuid": uuid}, "stamp": NO_STAMP}
-    service = f"{names.action(action, robot.name)}/_action/cancel_goal"
+    service = cancel_service(names.action(action, robot.name))
     return ServiceCall(service, CANCEL_TYPE, {"goal_info": info})

@@ -16,6 +16,11 @@ def is_hidden(topic: str) -> bool:
     return "/_action/" in topic
 
 
+def cancel_service(action: str) -> str:
+    """Return the name of the service that cancels goals of an action, as ROS 2 has it."""
+    return f"{action}/_action/cancel_goal"
+
+
 @dataclass(frozen=True, slots=True)
 class Vocabulary:
     """The usual names of a kind. `topics`, `services` and `actions`: name with `{robot}` and `{floor}` in it,

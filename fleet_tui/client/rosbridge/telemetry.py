@@ -10,6 +10,7 @@ from functools import partial
 from fleet_tui.adapters.adapter import Adapter, Feed
 from fleet_tui.adapters.ros import operations
 from fleet_tui.adapters.ros.fragments import Fragments
+from fleet_tui.adapters.ros.names import cancel_service
 from fleet_tui.adapters.ros.operations import topic_of
 from fleet_tui.adapters.ros.reading import WORTH_A_PROCESS, FrameReader, Read, StreamTaken
 from fleet_tui.client.memory import trim
@@ -85,7 +86,7 @@ class Telemetry:
         services = services_of(config, adapters, link)
         served = {robot for feed in feeds for robot in feed.robots}
         actions = {name for robot in served for name in adapters[robot].names.actions(robot)}
-        called = {*services, *actions, *EVERY_QUESTION}
+        called = {*services, *actions, *map(cancel_service, actions), *EVERY_QUESTION}
         self._reading = FrameReader(
             link,
             limit,
