@@ -139,9 +139,9 @@ def _missing(config: Config, facts: TopicFacts, bridge: BridgeFacts) -> Finding:
     placing = "pose" if names.topic("pose", wanted.robot) else "tf"
     if key == placing and wanted.silent and heard and "tf" not in heard:  # transforms are judged themselves
         if remedy:
-            check = f"{remedy}; else {ADRIFT.alarm.action.lower()}"
+            check = f"{remedy}; else {ADRIFT.action.lower()}"
         else:
-            check = f"{ADRIFT.alarm.action}; if it runs, correct [{names.table}.topics] pose"
+            check = f"{ADRIFT.action}; if it runs, correct [{names.table}.topics] pose"
         return _finding(facts, Verdict.FAIL, f"{ADRIFT.word}: {measured}", check)
     if wanted.silent and not remedy and key not in names.profile.topics:
         return _finding(facts, Verdict.SKIPPED, f"{measured}: not needed")

@@ -1,4 +1,4 @@
-"""Facts: something that is wrong now, and its kind, the row of a table that says how it is told."""
+"""Facts: something that is not as usual now, and its kind, the row of a table that says how it is told."""
 
 import math
 from typing import NamedTuple
@@ -19,15 +19,21 @@ class AlarmClass(NamedTuple):
 
 class FactKind(NamedTuple):
     """A row of the table. `name` is the kind of its alarm, `word` what a row and a reason call it, `over`
-    the text once it is gone; `alarm` explains it and has the remedy; `keys` are the ids of the keys that
-    help, `page` the page of diagnostics that shows more."""
+    the text once it is gone; `alarm` explains it, None if it raises none; `remedy` is empty for the action of
+    the alarm; `keys` are the ids of the keys that help, `page` the page of diagnostics that shows more."""
 
     name: str
     word: str
-    over: str
-    alarm: AlarmClass
+    over: str = ""
+    alarm: AlarmClass | None = None
+    remedy: str = ""
     keys: tuple[str, ...] = ()
     page: str = "topics"
+
+    @property
+    def action(self) -> str:
+        """Return what a person is to do about it, unless a fact says more."""
+        return self.remedy or (self.alarm.action if self.alarm is not None else "")
 
 
 class Fact(NamedTuple):
@@ -53,7 +59,7 @@ class Fact(NamedTuple):
     @property
     def action(self) -> str:
         """Return what a person is to do."""
-        return self.remedy or self.kind.alarm.action
+        return self.remedy or self.kind.action
 
     def condition(self, due: float = -math.inf) -> Condition:
         """Return it as what becomes an alarm at a monotonic second."""

@@ -17,10 +17,8 @@ NO_LINK = FactKind(
     page="link",
 )
 BRIDGE_HANGS = NO_LINK._replace(
-    alarm=NO_LINK.alarm._replace(
-        # With that parameter it stops answering at the second subscription.
-        action="Restart rosbridge, or repair the network; on ROS 2 start it without use_events_executor"
-    )
+    # With that parameter it stops answering at the second subscription.
+    remedy="Restart rosbridge, or repair the network; on ROS 2 start it without use_events_executor",
 )
 COMMANDS_DEAD = FactKind(
     "commands",
@@ -38,15 +36,11 @@ COMMANDS_DEAD = FactKind(
 )
 HALF_DEAD = COMMANDS_DEAD._replace(
     word="rosbridge half dead",
-    alarm=COMMANDS_DEAD.alarm._replace(
-        action="Restart rosbridge: nothing of its robots arrives, and they may drive on"
-    ),
+    remedy="Restart rosbridge: nothing of its robots arrives, and they may drive on",
 )
 CALLS_HANG = COMMANDS_DEAD._replace(
-    alarm=COMMANDS_DEAD.alarm._replace(
-        action="Restart rosbridge, on ROS 2 without use_events_executor; until then pause a robot by its own"
-        " controls"
-    )
+    remedy="Restart rosbridge, on ROS 2 without use_events_executor; until then pause a robot by its own"
+    " controls",
 )
 LATE_LINK = FactKind(
     "late",
@@ -80,13 +74,11 @@ LOST_SUBSCRIPTIONS = FactKind(
 UNSOURCED = LOST_SUBSCRIPTIONS._replace(word="rosbridge lacks a package", over="message types available")
 NOT_ALLOWED = LOST_SUBSCRIPTIONS._replace(
     word="not allowed by the bridge",
-    alarm=LOST_SUBSCRIPTIONS.alarm._replace(
-        action="Add these names to that list of rosbridge (topics_glob, services_glob, actions_glob)"
-        ", and restart it"
-    ),
+    remedy="Add these names to that list of rosbridge (topics_glob, services_glob, actions_glob)"
+    ", and restart it",
 )
 HEARTBEAT_NOT_ALLOWED = COMMANDS_DEAD._replace(
-    alarm=COMMANDS_DEAD.alarm._replace(action=NOT_ALLOWED.alarm.action)
+    remedy=NOT_ALLOWED.action,
 )
 BEHIND = FactKind(
     "behind",
@@ -131,18 +123,14 @@ OLD_STAMPS = FactKind(
 )
 ADRIFT = OLD_STAMPS._replace(
     word="localisation silent",
-    alarm=OLD_STAMPS.alarm._replace(
-        action="Pause it, and check its localisation: the node (amcl, slam_toolbox) and the laser"
-    ),
+    remedy="Pause it, and check its localisation: the node (amcl, slam_toolbox) and the laser",
     keys=("pause", *OLD_STAMPS.keys),
 )
 REPEATED_POSE = OLD_STAMPS._replace(word="poses repeat at rest")
 UNDATED_POSE = OLD_STAMPS._replace(word="pose of unknown age")
 NO_POSE = OLD_STAMPS._replace(
     word="no pose",
-    alarm=OLD_STAMPS.alarm._replace(
-        action="Pause it, and check its localisation: its node, its laser, the topic's name"
-    ),
+    remedy="Pause it, and check its localisation: its node, its laser, the topic's name",
 )
 UNCERTAIN = OLD_STAMPS._replace(word="localisation uncertain", keys=("pose", "centre"))
 BAD_DATA = FactKind(
@@ -214,22 +202,14 @@ FAULT = FactKind(
 UNLOCALISED = OLD_STAMPS._replace(
     word="not localised",
     over="localised again",
-    alarm=OLD_STAMPS.alarm._replace(
-        action="Localise it at the vehicle: take it by hand to a place that it knows"
-    ),
+    remedy="Localise it at the vehicle: take it by hand to a place that it knows",
     keys=("pose", *OBSTACLE.keys),
 )
 DRIVES_ON = FactKind(
     "order",
     "order failed, still driving",
     "order failed",
-    AlarmClass(
-        "medium",
-        "an order failed, and a server of its navigation goes on driving",
-        "it drives without an order, and stops where nobody expects it",
-        "Pause it: that ends what still drives it",
-        1,
-    ),
+    remedy="Pause it: that ends what still drives it",
     keys=("pause", "centre"),
 )
 INACTIVE = FactKind(
@@ -249,9 +229,7 @@ INACTIVE = FactKind(
 )
 NAVIGATION_SILENT = INACTIVE._replace(
     word="navigation silent",
-    alarm=INACTIVE.alarm._replace(
-        action="Restart the robot's navigation (move_base, bt_navigator), then give the order again"
-    ),
+    remedy="Restart the robot's navigation (move_base, bt_navigator), then give the order again",
     keys=("clear", "order"),
 )
 STOPPING = FactKind(
@@ -270,12 +248,19 @@ STOPPING = FactKind(
 STILL_MOVING = STOPPING._replace(
     word="still moving",
     over="stands now",
-    alarm=STOPPING.alarm._replace(action="Stop it by its own controls, or by its emergency stop"),
+    remedy="Stop it by its own controls, or by its emergency stop",
     keys=("pause", "centre"),
 )
 DESPITE_PAUSE = STILL_MOVING._replace(
     word="driving despite pause",
-    alarm=STOPPING.alarm._replace(action="Pause it again, or find out who drives it"),
+    remedy="Pause it again, or find out who drives it",
+)
+BY_HAND = FactKind("mode", "mode", remedy="Switch it to automatic at the vehicle")
+CLEARANCE = FactKind(
+    "clearance", "waits for clearance", remedy="Look at the master control: it releases the next nodes"
+)
+MAP_DISABLED = FactKind(
+    "map", "map is not enabled", remedy="Let the master control enable the map (enableMap)"
 )
 
 FACTS = (
@@ -311,4 +296,7 @@ FACTS = (
     STOPPING,
     STILL_MOVING,
     DESPITE_PAUSE,
+    BY_HAND,
+    CLEARANCE,
+    MAP_DISABLED,
 )

@@ -6,7 +6,7 @@ from fleet_tui.model.alarm import Priority
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.vehicles.vehicle import HIGH, MEDIUM, VehicleError
 from fleet_tui.situation.fact import Fact, FactKind
-from fleet_tui.situation.facts import E_STOP, FAULT, UNLOCALISED
+from fleet_tui.situation.facts import BY_HAND, CLEARANCE, E_STOP, FAULT, MAP_DISABLED, UNLOCALISED
 from fleet_tui.text.sanitize import sanitize
 
 REPORTED = "reported by the vehicle"
@@ -45,6 +45,40 @@ def unlocalised(robot: Robot) -> Fact | None:
     return _reported(robot, UNLOCALISED, UNLOCALISED.word, Priority.MEDIUM)
 
 
+def by_hand(robot: Robot) -> Fact | None:
+    """Find a mode in which no master control drives it."""
+    if robot.vehicle is None or robot.vehicle.value.takes_orders:
+        return None
+    text = f"mode {robot.vehicle.value.mode_text}"
+    return _reported(robot, BY_HAND, text, Priority.LOW)._replace(evidence="it takes no orders")
+
+
+def clearance(robot: Robot) -> Fact | None:
+    """Find that it may not drive on until its master control releases the next nodes, or grants a request."""
+    if robot.vehicle is None or not robot.vehicle.value.waits:
+        return None
+    left = robot.vehicle.value.horizon
+    asked = ", ".join(robot.vehicle.value.asks)
+    fact = _reported(robot, CLEARANCE, CLEARANCE.word, Priority.LOW)
+    if asked:
+        remedy = "Look at the master control: it grants what the vehicle asks for"
+        return fact._replace(evidence=f"it asks its master control for {asked}", remedy=remedy)
+    if not left:
+        return fact._replace(evidence="it asks its master control for more of its route")
+    evidence = f"at the end of what is released, {left} node{'s' * (left != 1)} of its order not released"
+    return fact._replace(evidence=evidence)
+
+
+def map_disabled(robot: Robot) -> Fact | None:
+    """Find that the map of its position is not among those that it uses: that need not be what holds it."""
+    if robot.vehicle is None or not robot.vehicle.value.map_off:
+        return None
+    used = ", ".join(robot.vehicle.value.maps)
+    text = f"map {robot.vehicle.value.map_off} is not enabled"
+    evidence = f"the vehicle uses {used}" if used else "the vehicle uses none of its maps"
+    return _reported(robot, MAP_DISABLED, text, Priority.LOW)._replace(evidence=evidence, is_certain=False)
+
+
 def _reported(robot: Robot, kind: FactKind, text: str, priority: Priority) -> Fact:
     assert robot.vehicle is not None
     at = robot.vehicle.at
@@ -57,4 +91,12 @@ def _priority_of(error: VehicleError) -> Priority:
     return Priority.MEDIUM if error.level in MEDIUM else Priority.LOW
 
 
-FINDERS: tuple[Callable[[Robot], Fact | None], ...] = (emergency_stop, fault, unlocalised)
+FINDERS: tuple[Callable[[Robot], Fact | None], ...] = (
+    emergency_stop,
+    fault,
+    by_hand,
+    clearance,
+    unlocalised,
+    map_disabled,
+)
+"""The likeliest cause of standing still first."""

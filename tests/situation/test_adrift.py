@@ -51,7 +51,7 @@ def test_a_localisation_that_falls_silent_is_told_everywhere_in_the_same_words(i
     assert fact is not None and fact.text.startswith("pose estimated, localisation silent for 1")
     (alarm,) = [one for one in state.alarms if one.holds]
     assert (alarm.text, alarm.condition.kind) == (fact.text, "localisation")
-    assert alarm.condition.remedy == fact.action == ADRIFT.alarm.action
+    assert alarm.condition.remedy == fact.action == ADRIFT.action
     assert fact.short in [text for text, _ in news(state, robot)]
     (why,) = [one for one in reasons(state, robot) if one.name == fact.short]
     assert (why.evidence, why.remedy) == (fact.evidence, fact.action)

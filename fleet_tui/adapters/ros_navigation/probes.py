@@ -47,7 +47,7 @@ def judge_transforms(count: int, event: Event | None) -> Diagnosis | None:
         return None
     if isinstance(event, OriginReported):
         return Diagnosis("ok", "by transforms")
-    return Diagnosis("fail", f"{ADRIFT.word}: no transform from map to odom", ADRIFT.alarm.action)
+    return Diagnosis("fail", f"{ADRIFT.word}: no transform from map to odom", ADRIFT.action)
 
 
 def judge_battery(scales: str, count: int, event: Event | None) -> Diagnosis | None:

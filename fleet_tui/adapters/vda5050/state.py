@@ -68,11 +68,15 @@ def vehicle_of(state: Fields, base: str, nodes: OrderNodes, instant: Mapping[str
     safety, asks = state.part("safetyState"), tuple(_requests(state))
     maps = tuple(_enabled(state, "maps", "map"))
     map_id = position.id("mapId") if position else ""
+    actions = tuple(_actions(state, instant))
+    driving = state.flag("driving")
+    has_nodes = bool(nodes.released or nodes.horizon)
+    goes_on = driving is True or any(action.is_carried_out for action in actions)
     return Vehicle(
         base,
         state.text("version"),
         mode=state.word("operatingMode"),
-        driving=state.flag("driving"),
+        driving=driving,
         charging=power.flag("charging") if power else None,
         localised=position.flag("positionInitialized", "localized") if position else None,
         is_placed=position is not None,
@@ -82,10 +86,9 @@ def vehicle_of(state: Fields, base: str, nodes: OrderNodes, instant: Mapping[str
         distance=state.number("distanceSinceLastNode"),
         nodes_left=nodes.released,
         horizon=nodes.horizon,
-        # At the end of an order some vehicles ask for more as well: there is nothing to wait for.
-        waits=nodes.is_at_base_end
-        or (bool(nodes.target) and state.flag("newBaseRequest") is True)
-        or (bool(asks) and not state.flag("driving")),
+        # They ask for more before they need it, and some at the end of an order as well.
+        waits=not goes_on
+        and (nodes.is_at_base_end or (has_nodes and state.flag("newBaseRequest") is True) or bool(asks)),
         asks=asks,
         maps=maps,
         zone_sets=tuple(_enabled(state, "zoneSets", "zoneSet")),
@@ -95,7 +98,7 @@ def vehicle_of(state: Fields, base: str, nodes: OrderNodes, instant: Mapping[str
         paused=state.flag("paused"),
         speed=_speed(state),
         errors=tuple(_errors(state)),
-        actions=tuple(_actions(state, instant)),
+        actions=actions,
     )
 
 

@@ -2,32 +2,9 @@
 
 from fleet_tui.model.alarm import Condition, class_of
 from fleet_tui.situation.fact import AlarmClass
-from fleet_tui.situation.facts import (
-    BAD_DATA,
-    BEHIND,
-    COMMANDS_DEAD,
-    E_STOP,
-    FAULT,
-    INACTIVE,
-    LATE_LINK,
-    LOST_SUBSCRIPTIONS,
-    NO_LINK,
-    OBSTACLE,
-    OLD_STAMPS,
-    SILENT,
-    STOP,
-    STOPPING,
-)
+from fleet_tui.situation.facts import FACTS
 
 CLASSES = {
-    NO_LINK.name: NO_LINK.alarm,
-    COMMANDS_DEAD.name: COMMANDS_DEAD.alarm,
-    LOST_SUBSCRIPTIONS.name: LOST_SUBSCRIPTIONS.alarm,
-    OBSTACLE.name: OBSTACLE.alarm,
-    STOP.name: STOP.alarm,
-    E_STOP.name: E_STOP.alarm,
-    FAULT.name: FAULT.alarm,
-    SILENT.name: SILENT.alarm,
     "stuck": AlarmClass(
         "medium",
         "no movement for `stuck_after` in spite of an order, without an obstacle or a pause;"
@@ -44,7 +21,6 @@ CLASSES = {
         "Read the reason, check the robot, then give the command again",
         2,
     ),
-    OLD_STAMPS.name: OLD_STAMPS.alarm,
     "issue": AlarmClass(
         "medium",
         "the fleet adapter of a robot reports an issue, or its driver an emergency or an adapter error",
@@ -59,7 +35,6 @@ CLASSES = {
         "Go to it and put it in service again, or close the lanes to it",
         10,
     ),
-    INACTIVE.name: INACTIVE.alarm,
     "held": AlarmClass(
         "low",
         "orders wait in this console; medium if another client took over the robot",
@@ -67,8 +42,6 @@ CLASSES = {
         "Resume the robot, or clear its orders",
         30,
     ),
-    LATE_LINK.name: LATE_LINK.alarm,
-    BEHIND.name: BEHIND.alarm,
     "battery": AlarmClass(
         "low",
         "below `battery_low`, at a charger for half an hour; medium below `battery_critical`",
@@ -76,8 +49,7 @@ CLASSES = {
         "Send it to a charger",
         20,
     ),
-    STOPPING.name: STOPPING.alarm,
-    BAD_DATA.name: BAD_DATA.alarm,
+    **{kind.name: kind.alarm for kind in FACTS if kind.alarm is not None},
 }
 """All classes, by the names that the configuration uses."""
 

@@ -41,10 +41,9 @@ def waits(state: FleetState, robot: Robot) -> bool:
 def may_need_person(state: FleetState, robot: Robot) -> bool:
     """Tell whether a robot waits with an order or for its master control, is in a mode, such as MANUAL, in
     which it takes no order, or has a pose that jumps or at which it cannot be."""
-    vehicle = robot.vehicle.value if robot.vehicle is not None else None
-    by_hand = vehicle is not None and (vehicle.waits or not vehicle.takes_orders)
-    by_hand = by_hand and state.is_fresh(robot, "vehicle")
-    return waits(state, robot) or by_hand or is_lost(state, robot)
+    facts = (find(robot) for find in FINDERS) if state.is_fresh(robot, "vehicle") else ()
+    is_held = any(fact is not None and fact.kind.alarm is None and fact.is_certain for fact in facts)
+    return waits(state, robot) or is_held or is_lost(state, robot)
 
 
 def is_lost(state: FleetState, robot: Robot) -> bool:

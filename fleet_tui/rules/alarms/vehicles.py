@@ -16,7 +16,7 @@ def _raise(
 ) -> Condition | None:
     """Raise by a fresh report; an alarm that it began goes on when the vehicle is gone."""
     fact = find(robot)
-    if fact is None:
+    if fact is None or fact.kind.alarm is None:
         return None
     kind = fact.kind
     if not state.is_fresh(robot, "vehicle") and not was_active(active, robot.name, robot.link, kind.name):

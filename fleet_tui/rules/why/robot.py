@@ -188,7 +188,7 @@ def jumps(state: FleetState, robot: Robot) -> Reason | None:
         f"the last by {last.value:.1f} m: its pose is not to be trusted",
         ("pose", "centre", *DIAGNOSE),
     )
-    return Reason(name, evidence, since=recent[0].at, seen=last.at, keys=keys, remedy=NO_POSE.alarm.action)
+    return Reason(name, evidence, since=recent[0].at, seen=last.at, keys=keys, remedy=NO_POSE.action)
 
 
 def misplaced(state: FleetState, robot: Robot) -> Reason | None:

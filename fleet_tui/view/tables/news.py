@@ -149,9 +149,6 @@ def _vehicle(state: FleetState, robot: Robot) -> Iterator[Run]:
         if (fact := find(robot)) is not None:
             is_high = fact.priority is Priority.HIGH
             yield tr(sanitize(fact.short)), StyleRole.ALARM if is_high else StyleRole.WARN
-    vehicle = robot.vehicle.value
-    texts = {vehicle.mode_text: not vehicle.takes_orders, "waits for clearance": vehicle.waits}
-    yield from ((tr(sanitize(text)), StyleRole.WARN) for text, holds in texts.items() if holds)
 
 
 def _member(state: FleetState, robot: Robot) -> Iterator[Run]:

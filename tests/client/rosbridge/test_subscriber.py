@@ -134,5 +134,5 @@ async def test_a_topic_that_an_allow_list_lacks_blames_the_list_and_no_robot(ros
         state = await store.until(lambda state: state.now > later)
         assert not any(one.condition.source == "robot_0" for one in state.alarms)
         why = reasons(state, state.robots["robot_0"])[0]
-        assert (why.name, why.remedy) == (NOT_ALLOWED.word, NOT_ALLOWED.alarm.action)
+        assert (why.name, why.remedy) == (NOT_ALLOWED.word, NOT_ALLOWED.action)
         assert any("does not allow" in line for line in attention(state))

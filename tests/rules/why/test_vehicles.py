@@ -5,9 +5,11 @@ from typing import Any
 import pytest
 
 from fleet_tui.rules.alarms.classes import action_of
+from fleet_tui.rules.alarms.trouble import is_odd
 from fleet_tui.rules.why.place import place_text
 from fleet_tui.rules.why.reason import Reason, Strength
 from fleet_tui.rules.why.why import reasons
+from fleet_tui.view.tables.news import news
 from tests.support.vda_fleet import VehicleSite
 from tests.support.vda_messages import error, message, node, position, state, state_3
 
@@ -21,6 +23,9 @@ def zone(id_: str, status: str = "REQUESTED", type_: str = "ACCESS") -> dict[str
 def corridor(edge: str) -> dict[str, Any]:
     ids = {"requestId": f"r-{edge}", "edgeId": edge, "sequenceId": 1}
     return {**ids, "requestType": "CORRIDOR", "requestStatus": "REQUESTED"}
+
+
+PICKS = {"actionId": "p", "actionType": "pick", "actionStatus": "RUNNING"}
 
 
 def first(**fields: Any) -> Reason:
@@ -99,12 +104,44 @@ def test_the_hint_of_an_error_is_told_once_as_what_to_do() -> None:
     assert (found.evidence, found.remedy) == ("fatal motorError: hot", "cool it")
 
 
-def test_one_that_asks_for_a_zone_ahead_while_it_drives_waits_for_nothing() -> None:
+@pytest.mark.parametrize("asks", [{"zoneRequests": [zone("z")]}, {"newBaseRequest": True}])
+@pytest.mark.parametrize("goes_on", [{"driving": True}, {"actionStates": [PICKS]}])
+def test_one_that_asks_for_more_while_it_drives_or_works_waits_for_nothing(
+    asks: dict[str, Any], goes_on: dict[str, Any]
+) -> None:
     site = VehicleSite()
-    site.read("state", state(orderId="o", nodeStates=[node("b", 2)], driving=True, zoneRequests=[zone("z")]))
+    left = [node("b", 2, released=False)]
+    site.read("state", state(orderId="o", nodeStates=left, **asks, **goes_on))
     site.wait(1)
     assert "waits for clearance" not in [one.name for one in reasons(site.state, site.agv)]
-    assert site.agv.vehicle is not None and not site.agv.vehicle.value.waits
+    assert "waits for clearance" not in [text for text, _ in news(site.state, site.agv)]
+    assert not is_odd(site.state, site.agv)
+
+
+def test_one_that_asks_for_more_at_its_goal_and_keeps_the_node_there_waits_for_nothing() -> None:
+    site = VehicleSite()
+    kept = state(
+        orderId="o", lastNodeId="b", lastNodeSequenceId=2, nodeStates=[node("b", 2)], newBaseRequest=True
+    )
+    site.read("state", kept)
+    site.wait(1)
+    assert "waits for clearance" not in [one.name for one in reasons(site.state, site.agv)]
+
+
+@pytest.mark.parametrize(
+    ("fields", "text"),
+    [
+        ({"operatingMode": "MANUAL"}, "mode manual"),
+        ({"orderId": "o", "nodeStates": [node("b", 2)], "newBaseRequest": True}, "waits for clearance"),
+        ({"maps": [{"mapId": "hall", "mapStatus": "DISABLED"}]}, "map hall is not enabled"),
+    ],
+)
+def test_the_row_has_the_words_of_the_reason(fields: dict[str, Any], text: str) -> None:
+    site = VehicleSite()
+    site.read("state", state(**fields))
+    site.wait(1)
+    assert text in [one.name for one in reasons(site.state, site.agv)]
+    assert text in [told for told, _ in news(site.state, site.agv)]
 
 
 def test_a_map_that_the_vehicle_does_not_use_may_be_the_cause() -> None:

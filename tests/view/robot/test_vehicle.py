@@ -48,7 +48,11 @@ def test_the_row_of_a_vehicle_has_its_news() -> None:
     assert silence(site.state, site.agv).remedy == NO_STATES
     stopped = {"eStop": "MANUAL", "fieldViolation": False}
     site.read("state", state(safetyState=stopped, operatingMode="SERVICE", errors=[error("FATAL")]))
-    assert [text for text, _ in news(site.state, site.agv)] == ["e-stop (manual)", "motorError", "service"]
+    assert [text for text, _ in news(site.state, site.agv)] == [
+        "e-stop (manual)",
+        "motorError",
+        "mode service",
+    ]
 
 
 def test_the_maps_and_zone_sets_that_it_uses_are_listed() -> None:
