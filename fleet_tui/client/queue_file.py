@@ -16,8 +16,8 @@ LARGEST = 2**24
 
 
 class WaitingOrder(msgspec.Struct, frozen=True):
-    """An order that waits for its robot behind the bridge at `url`; `wall` is the Unix time at which it was
-    given, `floor` the floor."""
+    """An order that waits for its robot behind the bridge at `url`, without stops the start of a charge;
+    `wall` is the Unix time at which it was given, `floor` the floor."""
 
     url: str
     robot: str

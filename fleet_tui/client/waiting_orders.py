@@ -94,9 +94,8 @@ class WaitingOrders:
                 self._foreign.append(kept)
                 continue
             command_id, now = self._new_id(), time.monotonic()
-            self._apply(
-                CommandIssued(command_id, PlaceOrder(robot.name, kept.stops), now, kept.wall, kept.floor)
-            )
+            command = PlaceOrder(robot.name, kept.stops) if kept.stops else StartCharging(robot.name)
+            self._apply(CommandIssued(command_id, command, now, kept.wall, kept.floor))
             self._apply(CommandAdvanced(command_id, Stage.WAITING, now, RESTARTED))
             self._apply(QueueHeld(robot.name, RESTARTED))
 

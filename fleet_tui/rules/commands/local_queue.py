@@ -55,13 +55,14 @@ def waiting(state: FleetState, robot: Robot) -> list[CommandRecord]:
 
 
 def orders_to_save(state: FleetState, robot: Robot) -> Iterator[tuple[CommandRecord, tuple[Stop, ...]]]:
-    """Return the orders with stops unknown to the robot, with the stops that are left."""
+    """Return the orders with stops unknown to the robot, with the stops that are left, and the charges that
+    wait, which have none."""
     for one in orders_of(state, robot):
-        if isinstance(one.command, PlaceOrder):
-            if one.stage is Stage.WAITING:
-                yield one, one.command.stops[one.leg :]
-            elif one.has_further_leg(robot.kind) and (one.has_open_order or one.stage in GOING):
-                yield one, one.command.stops[one.leg + 1 :]
+        stops = one.command.stops if isinstance(one.command, PlaceOrder) else ()
+        if one.stage is Stage.WAITING:
+            yield one, stops[one.leg :]
+        elif one.has_further_leg(robot.kind) and (one.has_open_order or one.stage in GOING):
+            yield one, stops[one.leg + 1 :]
 
 
 def waiting_orders_of(state: FleetState, robot: Robot) -> tuple[Order, ...]:

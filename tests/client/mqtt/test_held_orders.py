@@ -382,6 +382,36 @@ async def on_its_way_to_a_charge(
         yield HeldOrderSite(vehicle, link, store), order, charge
 
 
+async def test_a_console_that_opens_again_says_that_its_charge_does_not_follow(
+    broker: RealBroker, tmp_path: Path
+) -> None:
+    async with on_its_way_to_a_charge(broker, tmp_path):
+        pass
+    async with queueing(broker.url, keeping(tmp_path)) as (_, store):
+        state = await store.until(lambda state: state.commands and state.commands[-1].is_decided)
+        (charge,) = state.commands
+        assert (charge.command, charge.stage, charge.detail) == (
+            StartCharging("agv"),
+            Stage.NOT_SENT,
+            RESTARTED,
+        )
+
+
+async def test_an_order_that_waits_is_kept_with_the_charge_after_it(
+    broker: RealBroker, tmp_path: Path
+) -> None:
+    async with on_its_way_to_a_charge(broker, tmp_path) as ((_, link, store), _, charge):
+        link.submit(CancelOrder("agv", record_of(store.state, charge).order_id or ""))
+        _, charge = link.submit_all([ORDER, StartCharging("agv")])
+        await store.until(lambda state: record_of(state, charge).stage is Stage.WAITING)
+    async with queueing(broker.url, keeping(tmp_path)) as (_, store):
+        state = await store.until(lambda state: len(state.commands) == 2)
+        assert [one.command for one in state.commands] == [ORDER, StartCharging("agv")]
+        await store.until(lambda state: state.links["broker"].command_path is CommandPath.ALIVE)
+        assert [one.stage for one in store.state.commands] == [Stage.WAITING] * 2
+        assert store.state.robots["agv"].held == RESTARTED
+
+
 async def test_a_charge_by_an_instant_action_begins_once_its_vehicle_has_arrived(
     broker: RealBroker, tmp_path: Path
 ) -> None:
