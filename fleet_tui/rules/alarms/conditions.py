@@ -192,7 +192,9 @@ def offline(state: FleetState, robot: Robot, active: ActiveConditions) -> Condit
     link = state.links[robot.link]
     if state.is_online(robot) if raised else (link.phase is not Phase.UP or link.hides(robot.name)):
         return None
-    return fact.condition((last or 0.0) + limit if raised else fact.since)
+    # A new link restarts the silence, and ends no alarm.
+    due = min((last or 0.0) + limit, fact.since) if raised else fact.since
+    return fact.condition(due)
 
 
 def behind(state: FleetState) -> Condition | None:

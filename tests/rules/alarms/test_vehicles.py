@@ -68,6 +68,18 @@ def test_a_vehicle_that_the_broker_knows_as_gone_is_offline_with_an_alarm_from_t
     assert reasons(site.state, site.agv)[0].name == "offline (signed off)"
 
 
+def test_the_alarm_of_one_that_left_holds_from_its_last_will_on() -> None:
+    site = VehicleSite()
+    site.read("state", state())
+    site.wait(1)
+    site.read("connection", message(connectionState="CONNECTIONBROKEN"))
+    for _ in range(40):
+        site.wait(1)
+        assert [(one.condition.kind, one.holds, one.count) for one in site.state.alarms] == [
+            ("offline", True, 1)
+        ]
+
+
 def test_a_last_will_that_a_live_vehicle_has_left_on_the_broker_raises_no_alarm() -> None:
     site = VehicleSite()
     site.read("connection", message(connectionState="CONNECTIONBROKEN"), kept=True)
