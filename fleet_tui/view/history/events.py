@@ -97,7 +97,8 @@ def _of_order(order: PastOrder) -> PastEvent:
     took = []
     if begun is not None and begun - order.queued >= 1.0:
         took.append(f"waited {age(begun - order.queued)}")
-    if begun is not None and ended is not None:
+    # An end that nobody saw is kept as its begin.
+    if begun is not None and ended is not None and ended > begun:
         took.append(f"driven in {age(ended - begun)}")
     # An order that is done needs no reason.
     reason = [] if order.stage == DONE or not order.reason else [order.reason]

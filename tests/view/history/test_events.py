@@ -25,6 +25,11 @@ def test_an_order_is_told_with_its_end_and_durations() -> None:
     ]
 
 
+def test_an_order_whose_end_nobody_saw_was_driven_in_no_known_time() -> None:
+    unseen = PastOrder("robot_1", "16", "-> Base", "floor_0", 11.0, 12.0, 12.0, "end not seen", "", "ana")
+    assert texts([unseen]) == ["robot_1 order 16 -> Base: end not seen (waited 1 s), by ana"]
+
+
 def test_an_order_stands_at_the_time_of_its_last_step() -> None:
     driven = PastOrder("robot_1", "15", "-> Base", "floor_0", 12.0, 27.0, None, "begun", "", "")
     assert [event.told_at for event in past_events([OPEN, driven, ORDER])] == [12.0, 27.0, 85.0]
