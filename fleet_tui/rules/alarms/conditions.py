@@ -192,9 +192,12 @@ def offline(state: FleetState, robot: Robot, active: ActiveConditions) -> Condit
     link = state.links[robot.link]
     if state.is_online(robot) if raised else (link.phase is not Phase.UP or link.hides(robot.name)):
         return None
+    if not raised:
+        return fact.condition(fact.since)
     # A new link restarts the silence, and ends no alarm.
-    due = min((last or 0.0) + limit, fact.since) if raised else fact.since
-    return fact.condition(due)
+    if robot.is_gone and robot.connection is not None:
+        return fact.condition(robot.connection.at)
+    return fact.condition((last or 0.0) + limit)
 
 
 def behind(state: FleetState) -> Condition | None:

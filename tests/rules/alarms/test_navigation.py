@@ -116,7 +116,7 @@ def test_a_robot_placed_by_odometry_that_sends_none_is_looked_for_there() -> Non
     ):
         found, reason = not_sure_where(*known(state, **other), {}), stale_pose(*known(state, **other))
         assert found is not None and reason is not None
-        assert action_of(found) == reason.remedy == NO_POSE.alarm.action
+        assert action_of(found) == reason.remedy == NO_POSE.action
 
 
 def test_held_orders_are_counted_and_those_held_by_others_matter_more() -> None:

@@ -2,6 +2,8 @@
 
 from fleet_tui.cli.status.report import attention
 from fleet_tui.model.alarm import Priority
+from fleet_tui.model.events import LinkChanged
+from fleet_tui.model.link import Phase
 from fleet_tui.rules.alarms.classes import action_of
 from fleet_tui.rules.alarms.trouble import to_look_at
 from fleet_tui.rules.why.why import reasons
@@ -68,16 +70,30 @@ def test_a_vehicle_that_the_broker_knows_as_gone_is_offline_with_an_alarm_from_t
     assert reasons(site.state, site.agv)[0].name == "offline (signed off)"
 
 
-def test_the_alarm_of_one_that_left_holds_from_its_last_will_on() -> None:
+def test_the_alarm_of_one_that_left_holds_from_its_last_will_on_also_over_a_lost_link() -> None:
     site = VehicleSite()
     site.read("state", state())
     site.wait(1)
-    site.read("connection", message(connectionState="CONNECTIONBROKEN"))
-    for _ in range(40):
-        site.wait(1)
-        assert [(one.condition.kind, one.holds, one.count) for one in site.state.alarms] == [
-            ("offline", True, 1)
-        ]
+    gone = message(connectionState="CONNECTIONBROKEN")
+    site.read("connection", gone)
+
+    def holds_for_seconds() -> bool:
+        held = []
+        for _ in range(20):
+            site.wait(1)
+            held += [(one.holds, one.count) for one in site.state.alarms if one.condition.kind == "offline"]
+        return held == [(True, 1)] * 20
+
+    assert holds_for_seconds()
+    site.apply(LinkChanged("broker", site.now, Phase.WAITING))
+    assert holds_for_seconds()
+    site.apply(LinkChanged("broker", site.now, Phase.UP))
+    site.read("connection", gone, kept=True)
+    assert holds_for_seconds()
+    site.read("connection", message(connectionState="ONLINE"))
+    site.read("state", state())
+    site.wait(1)
+    assert [one.text for one in site.state.alarms if one.holds] == []
 
 
 def test_a_last_will_that_a_live_vehicle_has_left_on_the_broker_raises_no_alarm() -> None:

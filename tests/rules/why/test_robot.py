@@ -78,7 +78,7 @@ def test_a_pose_that_never_came_is_named_with_its_topic() -> None:
     found = stale_pose(state, state.robots[R0])
     assert found is not None and found.name == "pose missing"
     assert "no pose on /robot_0/pose:" in found.evidence
-    assert found.remedy == NO_POSE.alarm.action
+    assert found.remedy == NO_POSE.action
     bare = of_kinds(state, Kind(reports=("pose",)))
     found = stale_pose(bare, bare.robots[R0])
     assert found is not None and found.evidence == "other reports received, no pose: position unknown"
