@@ -7,7 +7,7 @@ from typing import Any
 from msgspec.structs import replace
 
 from fleet_tui.adapters.vda5050.fields import Fields
-from fleet_tui.adapters.vda5050.state import ENDED, OrderNodes, is_running, nodes_of
+from fleet_tui.adapters.vda5050.state import ENDED, OrderNodes, is_running, listed_nodes, nodes_of
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.navigation import Goal
 from fleet_tui.model.vehicles.vehicle import Vehicle
@@ -32,6 +32,8 @@ class StateMemory:
 
     def __init__(self) -> None:
         self._nodes: dict[str, tuple[tuple[Any, ...], OrderNodes]] = {}
+        self._listed: dict[str, tuple[str, frozenset[tuple[str, float | None]]]] = {}
+        """The order of each vehicle, and the nodes that its states have listed so far."""
         self._actions: dict[str, tuple[str, frozenset[str], frozenset[str]]] = {}
         """The order of each vehicle, the actions before it, and those of the last state."""
         self._named: dict[str, Vehicle] = {}
@@ -82,13 +84,16 @@ class StateMemory:
 
     def nodes(self, robot: str, state: Fields) -> tuple[OrderNodes, bool]:
         """Return the nodes that are left, and whether they have changed."""
-        names = "nodeStates", "edgeStates", "lastNodeId", "lastNodeSequenceId"
+        names = "orderId", "nodeStates", "edgeStates", "lastNodeId", "lastNodeSequenceId"
         raw = tuple(state.raw(name) for name in names)
         known = self._nodes.get(robot)
         if known is not None and known[0] == raw:
             return known[1], False
         faults = len(state.faults)
-        found = nodes_of(state)
+        order, listed = self._listed.get(robot, ("", frozenset()))
+        earlier = listed if order == state.text("orderId") else frozenset()
+        self._listed[robot] = state.text("orderId"), earlier | listed_nodes(state)
+        found = nodes_of(state, earlier)
         if len(state.faults) == faults:  # else each such message is named
             self._nodes[robot] = raw, found
         return found, True

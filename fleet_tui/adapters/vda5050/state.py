@@ -1,7 +1,7 @@
 """The state of a vehicle, from the messages of all versions."""
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Container, Iterator, Mapping
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -35,10 +35,17 @@ class OrderNodes(NamedTuple):
     frame: str
 
 
-def nodes_of(state: Fields) -> OrderNodes:
-    """Return the nodes that are left of the order in a state."""
+def listed_nodes(state: Fields) -> frozenset[tuple[str, float | None]]:
+    """Return the ids and numbers of the nodes in a state."""
+    listed = state.parts(MOST_NODES, "nodeStates") or []
+    return frozenset((node.text("nodeId"), node.number("sequenceId")) for node in listed)
+
+
+def nodes_of(state: Fields, earlier: Container[tuple[str, float | None]] = ()) -> OrderNodes:
+    """Return the nodes that are left of the order in a state; `earlier` are those that its states so far
+    listed."""
     listed = sorted(state.parts(MOST_NODES, "nodeStates") or [], key=_sequence)
-    nodes = _without_passed(state, listed)
+    nodes = _without_passed(state, listed, earlier)
     edges = state.parts(MOST_NODES, "edgeStates") or []
     released = [node for node in nodes if node.flag("released") is not False]
     horizon = len(nodes) - len(released)
@@ -51,14 +58,15 @@ def nodes_of(state: Fields) -> OrderNodes:
     )
 
 
-def _without_passed(state: Fields, nodes: list[Fields]) -> list[Fields]:
+def _without_passed(
+    state: Fields, nodes: list[Fields], earlier: Container[tuple[str, float | None]]
+) -> list[Fields]:
     """Return the nodes after the one where the vehicle was last: some keep those for ever. The number of that
-    one is another order's unless its node is among these."""
-    last, number = state.text("lastNodeId"), state.number("lastNodeSequenceId")
-    is_kept = any(node.text("nodeId") == last and node.number("sequenceId") == number for node in nodes)
-    if not last or number is None or not is_kept:
+    one is another order's unless its node is, or was, among these."""
+    last = state.text("lastNodeId"), state.number("lastNodeSequenceId")
+    if not last[0] or last[1] is None or (last not in earlier and last not in listed_nodes(state)):
         return nodes
-    return [node for node in nodes if _sequence(node) > number]
+    return [node for node in nodes if _sequence(node) > last[1]]
 
 
 def vehicle_of(state: Fields, base: str, nodes: OrderNodes, instant: Mapping[str, str]) -> Vehicle:

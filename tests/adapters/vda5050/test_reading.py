@@ -146,6 +146,18 @@ def test_an_order_has_not_ended_because_its_parts_can_not_be_read(odd: dict[str,
     assert states(site) == [OrderState.DONE]
 
 
+def test_a_vehicle_that_keeps_all_nodes_but_the_one_it_has_reached_has_driven_its_order() -> None:
+    site = VehicleSite()
+    way = [node("n0", 0), node("a", 2), node("b", 4)]
+    site.read("state", state(orderId="o1", nodeStates=way, lastNodeId="n0", lastNodeSequenceId=0))
+    assert states(site) == [OrderState.IN_PROCESS]
+    site.read("state", state(orderId="o1", nodeStates=way[:2], lastNodeId="b", lastNodeSequenceId=4))
+    assert states(site) == [OrderState.DONE]
+    # The number is that of the last order, until the vehicle begins.
+    site.read("state", state(orderId="o2", nodeStates=way[:2], lastNodeId="b", lastNodeSequenceId=4))
+    assert states(site) == [OrderState.IN_PROCESS]
+
+
 def test_a_vehicle_that_keeps_the_nodes_it_has_passed_is_not_busy_for_ever() -> None:
     site = VehicleSite()
     way = [node("n0", 0), node("a", 2), node("b", 4)]
