@@ -67,7 +67,7 @@ def interpreter(paths: str) -> str:
 
 
 @pytest.fixture
-def place() -> Iterator[Path]:
+def ground() -> Iterator[Path]:
     """A folder that everybody may enter: any other run of pytest closes its own again."""
     with tempfile.TemporaryDirectory() as folder:
         Path(folder).chmod(0o755)
@@ -75,11 +75,11 @@ def place() -> Iterator[Path]:
 
 
 @pytest.fixture
-def rights(place: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
+def rights(ground: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
     """Let `fleet-tui` run as nobody, below a file of rights that names somebody else."""
     if reason := can_be_nobody():
         pytest.skip(reason)
-    etc = place / "etc"
+    etc = ground / "etc"
     (etc / "fleet-tui").mkdir(parents=True, mode=0o755)
     for name in NEEDED:
         place = Path("/etc") / name
@@ -87,7 +87,7 @@ def rights(place: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
             shutil.copy(place, etc)
     file = etc / "fleet-tui" / "rights.toml"
     file.write_text('[dispatch]\nusers = ["ana"]\n')
-    wrapper = place / "python"
+    wrapper = ground / "python"
     wrapper.write_text(AS_NOBODY)
     wrapper.chmod(0o755)
     monkeypatch.setenv("ETC", str(etc))
@@ -104,9 +104,9 @@ def rights(place: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
 
 
 @pytest.fixture
-async def site(server: RosbridgeServer, rights: Path, place: Path) -> AsyncIterator[Path]:
+async def site(server: RosbridgeServer, rights: Path, ground: Path) -> AsyncIterator[Path]:
     """Return a home of nobody, with a configuration."""
-    home = place / "home"
+    home = ground / "home"
     home.mkdir()
     config = config_file(home, server.url, robots=2, floors=2)
     config.write_text(config.read_text() + PROGRAM + '[operator]\nname = "ana"\n')
