@@ -245,6 +245,7 @@ async def test_a_pose_topic_that_died_alone_is_subscribed_again_once_the_robot_m
     pose = f"/{R0}/amcl_pose"
     async with linked(site.config) as (link, store):
         await store.until(known)
+        await asyncio.sleep(5.0)  # the rest has been subscribed to
         site.server.bridge.orphaned.add(pose)
         site.server.bridge.received.clear()
         await finished(link, store, site.to("Consumidores"))
