@@ -10,6 +10,8 @@ from fleet_tui.model.order import OrderState, Stop, at_vertices
 from fleet_tui.rules.commands.local_queue import foreign
 from fleet_tui.simulator.nav2.navigation import TO_POSE, WAYPOINTS
 from fleet_tui.simulator.ros.goals import CANCELED, EXECUTING
+from fleet_tui.state import reducer as apply
+from fleet_tui.transports.rosbridge import connection
 from tests.support.links import finished, linked, phase
 from tests.support.nav2_site import Site, nav2_ready, reached
 
@@ -18,8 +20,10 @@ FAR, NEAR = (35.0, 20.0), (8.0, 0.0)
 
 
 @pytest.fixture(autouse=True)
-def soon() -> None:
+def soon(monkeypatch: pytest.MonkeyPatch) -> None:
     """A lost connection comes back at once."""
+    monkeypatch.setattr(connection, "FIRST_DELAY", 0.05)
+    monkeypatch.setattr(connection, "LONGEST_DELAY", 0.2)
 
 
 async def test_an_order_from_a_to_b_is_confirmed_and_driven_to_its_end(site: Site) -> None:
@@ -182,7 +186,8 @@ async def test_a_pose_is_a_place_too(site: Site) -> None:
     assert (round(pose.x, 2), round(pose.y, 2), round(pose.yaw, 2)) == (2.0, 0.0, 0.5)
 
 
-async def test_an_order_outlives_a_restart_of_the_bridge(site: Site) -> None:
+async def test_an_order_outlives_a_restart_of_the_bridge(site: Site, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(apply, "RELISTED_WITHIN", (1.0, 60.0))
     async with linked(site.config) as (link, store):
         await store.until(nav2_ready)
         order = await finished(link, store, site.to("Consumidores", "Receiving"))

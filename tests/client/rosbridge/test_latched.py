@@ -8,11 +8,13 @@ import pytest
 from fleet_tui.client.rosbridge import latched, subscriber
 from fleet_tui.model.commands import PauseRobot, Stage
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.link import Phase
+from fleet_tui.model.link import CommandPath, Phase
+from fleet_tui.simulator.faults import wire
 from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
+from fleet_tui.transports.rosbridge import connection
 from tests.support.fleets import R0, place_order
 from tests.support.links import finished, linked, phase, ready
 from tests.support.nav2_site import LONG_AGO, Site
@@ -24,7 +26,9 @@ LATCHED = ("graph", "labeled_vertices", "map_metadata", "map")
 
 
 @pytest.fixture
-async def server() -> AsyncIterator[RosbridgeServer]:
+async def server(monkeypatch: pytest.MonkeyPatch) -> AsyncIterator[RosbridgeServer]:
+    monkeypatch.setattr(connection, "FIRST_DELAY", 0.05)
+    monkeypatch.setattr(connection, "LONGEST_DELAY", 0.2)
     server = RosbridgeServer(World(2, 1, seed=1, quiet=True), dialect=ROS2)
     await server.start()
     yield server
@@ -56,13 +60,16 @@ async def test_everything_latched_comes_after_each_restart_of_the_bridge(server:
             await server.restart_bridge()
             await store.until(lambda state: not phase(Phase.UP)(state))
             await came_again(link, store, before)
+        await store.until(lambda state: state.links["rosbridge"].command_path is CommandPath.ALIVE)
         record = await finished(link, store, place_order("robot_0", 0, 1))
         assert record.stage is Stage.CONFIRMED
 
 
 async def test_a_volatile_publisher_is_asked_without_qos_and_that_is_remembered(
-    server: RosbridgeServer,
+    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    monkeypatch.setattr(latched, "FIRST_PATIENCE", 0.5)
+    monkeypatch.setattr(wire, "AGAIN", 0.05)
     play(server, [("volatile-maps", "robot_0")])
 
     def known(state: FleetState) -> bool:
@@ -77,10 +84,13 @@ async def test_a_volatile_publisher_is_asked_without_qos_and_that_is_remembered(
         await store.until(lambda _: asked_with_qos(server) == [True, False, False])
 
 
-async def test_what_has_come_is_left_alone_when_a_map_is_shown(server: RosbridgeServer) -> None:
+async def test_what_has_come_is_left_alone_when_a_map_is_shown(
+    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
     async with linked(config_of(server.url, 1)) as (link, store):
         await store.until(ready)
         await store.until(lambda _: all(counts(link)[:3]))
+        monkeypatch.setattr(latched, "FIRST_PATIENCE", 0.3)
         link.show_map("robot_0", "floor_0")
         await store.until(lambda _: counts(link)[3])
         link.show_map("robot_0", "")
@@ -139,8 +149,12 @@ async def test_why_the_bridge_did_not_subscribe_a_topic_is_in_the_log(
     assert "bridge did not subscribe /robot_0/queue: Unable to import" in caplog.text
 
 
-async def test_a_pose_arrives_though_its_publisher_is_volatile(site: Site) -> None:
+async def test_a_pose_arrives_though_its_publisher_is_volatile(
+    site: Site, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """Asked for again on each connection: the other kind of publisher tells its last value only so."""
+    monkeypatch.setattr(latched, "FIRST_PATIENCE", 0.5)
+    monkeypatch.setattr(wire, "AGAIN", 0.05)
     play(site.server, [("volatile-pose", R0)])
     async with linked(site.config) as (_, store):
         await store.until(lambda state: state.robots[R0].pose, within=HANGS)
@@ -149,7 +163,10 @@ async def test_a_pose_arrives_though_its_publisher_is_volatile(site: Site) -> No
         await store.until(lambda _: poses_asked(site.server) == [True, False, True, False], within=HANGS)
 
 
-async def test_a_latched_pose_that_is_yet_to_come_is_asked_for_in_one_other_way(site: Site) -> None:
+async def test_a_latched_pose_that_is_yet_to_come_is_asked_for_in_one_other_way(
+    site: Site, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(latched, "FIRST_PATIENCE", 0.1)
     site.server.bridge.muted.add(f"/{R0}/amcl_pose")
     async with linked(site.config) as (link, store):
         await store.until(lambda _: len(poses_asked(site.server)) == 2, within=HANGS)

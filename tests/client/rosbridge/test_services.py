@@ -2,7 +2,10 @@
 
 from dataclasses import replace
 
+import pytest
+
 from fleet_tui.adapters.oh_ressources.adapter import ABILITIES
+from fleet_tui.client.rosbridge import heartbeat, services
 from fleet_tui.model.commands import PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.simulator.server import RosbridgeServer
@@ -74,7 +77,10 @@ async def test_a_resume_is_sent_late_where_the_type_is_right(server: RosbridgeSe
     assert [service for service, _ in server.bridge.services.calls] == [RESUME]
 
 
-async def test_services_that_go_unnoticed_are_missed_by_the_next_look(server: RosbridgeServer) -> None:
+async def test_services_that_go_unnoticed_are_missed_by_the_next_look(
+    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(heartbeat, "EVERY", 0.1)
     async with linked(config_of(server.url, 2)) as (_, store):
         await store.until(ready)
         server.bridge.services.offered.clear()
@@ -95,8 +101,12 @@ async def test_a_robot_that_speaks_and_has_no_services_is_told_from_the_start(
         assert reason == "no services of robot_1: restart its node, or correct [profile.services]"
 
 
-async def test_types_that_a_busy_bridge_did_not_tell_are_asked_for_again(server: RosbridgeServer) -> None:
+async def test_types_that_a_busy_bridge_did_not_tell_are_asked_for_again(
+    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """Behind the subscriptions of a large fleet the question runs out: the call must not leave for that."""
+    monkeypatch.setattr(services, "ROSAPI_TIMEOUT", 0.2)
+    monkeypatch.setattr(services, "RETRY_AFTER", 0.1)
     right = server.bridge.services.offered[RESUME]
     server.bridge.services.offered[RESUME] = replace(right, name="nav2_msgs/srv/ManageLifecycleNodes")
     server.bridge.services.silent_services.add("/rosapi/service_type")

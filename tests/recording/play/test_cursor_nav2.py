@@ -8,6 +8,7 @@ from fleet_tui.client.fleet_link import FleetLink
 from fleet_tui.model.commands import CancelOrder, PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.link import Phase
 from fleet_tui.recording import recorder
+from fleet_tui.transports.rosbridge import connection
 from tests.support.links import finished, phase
 from tests.support.nav2_site import Site, nav2_ready, nav2_site, reached
 from tests.support.ticking import Ticking, taped
@@ -19,6 +20,7 @@ R0, R1 = "robot_0", "robot_1"
 def often(monkeypatch: pytest.MonkeyPatch) -> None:
     """A keyframe every half second; a lost connection comes back at once."""
     monkeypatch.setattr(recorder, "KEYFRAME_EVERY", 0.5)
+    monkeypatch.setattr(connection, "FIRST_DELAY", 0.05)
 
 
 async def eventful(site: Site, link: FleetLink, store: Ticking) -> None:
