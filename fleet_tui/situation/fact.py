@@ -40,8 +40,8 @@ class Fact(NamedTuple):
     """`source` is the robot, the link or the console; `since` the monotonic second from which it holds,
     `seen` that of the last report of it. `remedy` is empty for that of the row. `text` is that of an alarm,
     `short` that of a row and of `status`, `evidence` the reports that show it, `question` what a command to
-    the robot is confirmed with. Not `is_certain`: a late bridge may explain it, or it need
-    not be what holds the robot. `parts` are what it consists of: a new one is news."""
+    the robot is confirmed with. Not `is_certain`: a late bridge may explain it, or it need not be what
+    holds the robot. `parts` are what it consists of: a new one is news."""
 
     kind: FactKind
     source: str
@@ -64,4 +64,6 @@ class Fact(NamedTuple):
     def condition(self, due: float = -math.inf) -> Condition:
         """Return it as what becomes an alarm at a monotonic second."""
         kind = self.kind
-        return Condition(self.source, kind.name, self.priority, self.text, kind.over, due, remedy=self.action)
+        return Condition(
+            self.source, kind.name, self.priority, self.text, kind.over, due, self.parts, self.action
+        )

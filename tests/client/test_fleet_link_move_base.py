@@ -11,7 +11,7 @@ from websockets.asyncio.client import connect
 
 from fleet_tui.cli.status.report import attention
 from fleet_tui.client.queue_file import FILE, WaitingOrder
-from fleet_tui.client.rosbridge import publishing, renewals
+from fleet_tui.client.rosbridge import publishing
 from fleet_tui.client.rosbridge.services import Services
 from fleet_tui.config.schema import Operator
 from fleet_tui.model.commands import CancelOrder, ClearOrders, PauseRobot, ResumeRobot, Stage
@@ -255,10 +255,7 @@ async def test_a_pose_topic_that_died_alone_is_subscribed_again_once_the_robot_m
     assert asked == [pose]
 
 
-async def test_a_pose_topic_that_another_client_holds_dead_blames_the_bridge(
-    site: MoveBaseSite, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(renewals, "FIRST_RENEWAL", 3.0)
+async def test_a_pose_topic_that_another_client_holds_dead_blames_the_bridge(site: MoveBaseSite) -> None:
     pose = f"/{R0}/amcl_pose"
     async with linked(site.config) as (link, store), connect(site.server.url) as other:
         await store.until(known)

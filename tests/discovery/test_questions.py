@@ -1,16 +1,13 @@
 """Questions to rosapi: few, and never many at once."""
 
-import asyncio
 import math
 from collections import Counter
 
 from fleet_tui.discovery.facts import RosapiFacts
 from fleet_tui.discovery.questions import listed_by
 from fleet_tui.discovery.rosapi import AT_ONCE_ROS1
-from fleet_tui.simulator.calls import Call
-from fleet_tui.simulator.frames import Frame
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.support.asked_rosapi import AskedRosapi
+from tests.support.asked_rosapi import AskedRosapi, CountedQuestions
 from tests.support.discovering import discovered
 
 
@@ -18,25 +15,13 @@ async def test_a_bridge_with_two_thousand_topics_is_neither_flooded_nor_asked_fo
     server: RosbridgeServer,
 ) -> None:
     server.bridge.services.types |= {f"/thing_{n % 37}/part_{n}": "std_msgs/String" for n in range(2000)}
-    under_way, most = 0, 0
-
-    def answer(call: Call, frame: Frame) -> None:
-        nonlocal under_way
-        under_way -= 1
-        call.reply(frame)
-
-    def deliver(call: Call, frame: Frame) -> None:
-        nonlocal under_way, most
-        under_way += 1
-        most = max(most, under_way)
-        asyncio.get_running_loop().call_later(0.002, answer, call, frame)
-
-    server.bridge.services.deliveries |= {"/rosapi/publishers": deliver, "/rosapi/service_type": deliver}
+    questions, slow = CountedQuestions(0.002), ("publishers", "service_type")
+    server.bridge.services.deliveries |= {f"/rosapi/{one}": questions.deliver for one in slow}
     progress: list[tuple[int, int, str]] = []
     found = await discovered(server.url, progress)
     asked = Counter(one.get("service") for one in server.bridge.received)
     assert asked["/rosapi/publishers"] <= 300 and asked["/rosapi/service_type"] <= 100
-    assert most <= AT_ONCE_ROS1
+    assert questions.most <= AT_ONCE_ROS1
     assert found.summary == "2 robots (oh_ressources), 2 floors"
     counted = [(done, total) for done, total, doing in progress if doing == "looking up publishers"]
     assert counted[-1][0] == counted[-1][1] <= 300

@@ -14,13 +14,11 @@ from fleet_tui.doctor import gather
 from fleet_tui.doctor.gather import gather as gathered
 from fleet_tui.doctor.gather import measure_calls
 from fleet_tui.errors import LinkError
-from fleet_tui.simulator.calls import Call
-from fleet_tui.simulator.frames import Frame
 from fleet_tui.simulator.nav2.fleet import Nav2Fleet
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.transports.loop import network_loop
-from tests.support.asked_rosapi import AskedRosapi
+from tests.support.asked_rosapi import AskedRosapi, CountedQuestions
 from tests.support.watched_store import config_of
 
 
@@ -82,20 +80,10 @@ async def test_everything_of_a_bridge_is_gathered_and_no_command_is_called(
 async def test_over_all_its_connections_two_questions_at_once_go_to_rosapi_of_ros_2(tmp_path: Path) -> None:
     server = RosbridgeServer(Nav2Fleet(2, 1, seed=1, quiet=True), dialect=ROS2)
     server.bridge.muted.add("/map")  # who holds it is asked for meanwhile
-    under_way, most = 0, 0
-
-    def answer(call: Call, frame: Frame) -> None:
-        nonlocal under_way
-        under_way -= 1
-        call.reply(frame)
-
-    def deliver(call: Call, frame: Frame) -> None:
-        nonlocal under_way, most
-        under_way += 1
-        most = max(most, under_way)
-        asyncio.get_running_loop().call_later(0.4, answer, call, frame)
-
-    server.bridge.services.deliveries |= dict.fromkeys(server.bridge.services.rosapi.services, deliver)
+    questions = CountedQuestions(0.4)
+    server.bridge.services.deliveries |= dict.fromkeys(
+        server.bridge.services.rosapi.services, questions.deliver
+    )
     await server.start()
     config = demo_config(Config(), server.url, 2, 1, "2", "nav2", tmp_path)
 
@@ -112,4 +100,4 @@ async def test_over_all_its_connections_two_questions_at_once_go_to_rosapi_of_ro
     finally:
         await server.stop()
     asked = [one.get("service") for one in server.bridge.received]
-    assert "/rosapi/subscribers" in asked and most == 2
+    assert "/rosapi/subscribers" in asked and questions.most == 2

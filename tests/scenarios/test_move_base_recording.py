@@ -24,6 +24,7 @@ from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.fleets import LINK, R0, T0, link_up, recording, reduced, tick
 from tests.support.move_base_client import publish
 from tests.support.nav2_client import listen, settle
+from tests.support.transcripts import shape
 
 RECORDED = "ros1-move-base.jsonl.gz"
 NODE = "/move_base"
@@ -33,14 +34,6 @@ TOLD = ("goal", "current_goal", "status", "feedback", "result", "NavfnROS/plan")
 
 def no_map(_profile: Profile, _feed: Feed, _payload: bytes) -> GridReceived:
     raise WireError("no map here")
-
-
-def shape(value: object) -> object:
-    if isinstance(value, dict):
-        return {name: shape(inner) for name, inner in value.items()}
-    if isinstance(value, list):
-        return [shape(inner) for inner in value[:1]]
-    return type(value)
 
 
 def test_each_recorded_goal_ends_as_its_result_says() -> None:

@@ -7,8 +7,28 @@ from typing import Any, cast
 from fleet_tui.client.rosbridge.calls import rosapi_places
 from fleet_tui.discovery.wire import BridgeConnection
 from fleet_tui.errors import LinkError
+from fleet_tui.simulator.calls import Call
+from fleet_tui.simulator.frames import Frame
 
 Answer = Callable[[Mapping[str, Any]], object]
+
+
+class CountedQuestions:
+    """Deliver the answers of a simulated rosapi some seconds late, and count the `most` that are open at
+    once."""
+
+    def __init__(self, seconds: float) -> None:
+        self._seconds = seconds
+        self._open = self.most = 0
+
+    def deliver(self, call: Call, frame: Frame) -> None:
+        self._open += 1
+        self.most = max(self.most, self._open)
+        asyncio.get_running_loop().call_later(self._seconds, self._answer, call, frame)
+
+    def _answer(self, call: Call, frame: Frame) -> None:
+        self._open -= 1
+        call.reply(frame)
 
 
 class AskedRosapi:

@@ -7,7 +7,7 @@ from typing import Any
 from msgspec.structs import replace
 
 from fleet_tui.adapters.vda5050.fields import Fields
-from fleet_tui.adapters.vda5050.state import ENDED, OrderNodes, is_running, listed_nodes, nodes_of
+from fleet_tui.adapters.vda5050.state import ENDED, OrderNodes, is_running, nodes_of
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.navigation import Goal
 from fleet_tui.model.vehicles.vehicle import Vehicle
@@ -32,8 +32,6 @@ class StateMemory:
 
     def __init__(self) -> None:
         self._nodes: dict[str, tuple[tuple[Any, ...], OrderNodes]] = {}
-        self._listed: dict[str, tuple[str, frozenset[tuple[str, float | None]]]] = {}
-        """The order of each vehicle, and the nodes that its states have listed so far."""
         self._actions: dict[str, tuple[str, frozenset[str], frozenset[str]]] = {}
         """The order of each vehicle, the actions before it, and those of the last state."""
         self._named: dict[str, Vehicle] = {}
@@ -90,9 +88,7 @@ class StateMemory:
         if known is not None and known[0] == raw:
             return known[1], False
         faults = len(state.faults)
-        order, listed = self._listed.get(robot, ("", frozenset()))
-        earlier = listed if order == state.text("orderId") else frozenset()
-        self._listed[robot] = state.text("orderId"), earlier | listed_nodes(state)
+        earlier = known[1].listed if known is not None and known[0][0] == raw[0] else frozenset()
         found = nodes_of(state, earlier)
         if len(state.faults) == faults:  # else each such message is named
             self._nodes[robot] = raw, found

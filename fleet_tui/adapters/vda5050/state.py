@@ -1,7 +1,7 @@
 """The state of a vehicle, from the messages of all versions."""
 
 import math
-from collections.abc import Container, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -22,10 +22,13 @@ ENDED = frozenset({"FINISHED", "FAILED"})
 """States of an action that is over."""
 
 
+Listed = frozenset[tuple[str, float | None]]
+
+
 class OrderNodes(NamedTuple):
     """The nodes of an order that are left: the `released` ones by id, the number of the others, the last of
     all, and whether the vehicle is at the end of the released ones. `graph` are those with a place, `frame`
-    is their map."""
+    is their map. `listed`: id and number of each that the states of the order have listed so far."""
 
     released: tuple[str, ...]
     horizon: int
@@ -33,19 +36,15 @@ class OrderNodes(NamedTuple):
     is_at_base_end: bool
     graph: RouteGraph
     frame: str
+    listed: Listed
 
 
-def listed_nodes(state: Fields) -> frozenset[tuple[str, float | None]]:
-    """Return the ids and numbers of the nodes in a state."""
-    listed = state.parts(MOST_NODES, "nodeStates") or []
-    return frozenset((node.text("nodeId"), node.number("sequenceId")) for node in listed)
-
-
-def nodes_of(state: Fields, earlier: Container[tuple[str, float | None]] = ()) -> OrderNodes:
-    """Return the nodes that are left of the order in a state; `earlier` are those that its states so far
+def nodes_of(state: Fields, earlier: Listed = frozenset()) -> OrderNodes:
+    """Return the nodes that are left of the order in a state; `earlier` are those that its states before it
     listed."""
     listed = sorted(state.parts(MOST_NODES, "nodeStates") or [], key=_sequence)
-    nodes = _without_passed(state, listed, earlier)
+    known = earlier.union((node.text("nodeId"), node.number("sequenceId")) for node in listed)
+    nodes = _without_passed(state, listed, known)
     edges = state.parts(MOST_NODES, "edgeStates") or []
     released = [node for node in nodes if node.flag("released") is not False]
     horizon = len(nodes) - len(released)
@@ -55,16 +54,15 @@ def nodes_of(state: Fields, earlier: Container[tuple[str, float | None]] = ()) -
         listed[-1].text("nodeId") if listed else "",
         horizon > 0 and not released and not any(one.flag("released") for one in edges),
         *graph_of(state, "nodeStates", "edgeStates"),
+        known,
     )
 
 
-def _without_passed(
-    state: Fields, nodes: list[Fields], earlier: Container[tuple[str, float | None]]
-) -> list[Fields]:
+def _without_passed(state: Fields, nodes: list[Fields], known: Listed) -> list[Fields]:
     """Return the nodes after the one where the vehicle was last: some keep those for ever. The number of that
-    one is another order's unless its node is, or was, among these."""
+    one is another order's unless this one has listed its node."""
     last = state.text("lastNodeId"), state.number("lastNodeSequenceId")
-    if not last[0] or last[1] is None or (last not in earlier and last not in listed_nodes(state)):
+    if not last[0] or last[1] is None or last not in known:
         return nodes
     return [node for node in nodes if _sequence(node) > last[1]]
 

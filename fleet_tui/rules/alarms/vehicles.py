@@ -18,12 +18,8 @@ def _raise(
     fact = find(robot)
     if fact is None or fact.kind.alarm is None:
         return None
-    kind = fact.kind
-    if not state.is_fresh(robot, "vehicle") and not was_active(active, robot.name, robot.link, kind.name):
-        return None
-    return Condition(
-        fact.source, kind.name, fact.priority, fact.text, kind.over, parts=fact.parts, remedy=fact.action
-    )
+    was_raised = was_active(active, robot.name, robot.link, fact.kind.name)
+    return fact.condition() if was_raised or state.is_fresh(robot, "vehicle") else None
 
 
 Rule = Callable[[FleetState, Robot, ActiveConditions], Condition | None]

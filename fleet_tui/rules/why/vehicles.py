@@ -5,7 +5,7 @@ from functools import partial
 
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
-from fleet_tui.rules.why.reason import Reason, Rule, Strength
+from fleet_tui.rules.why.reason import Reason, Rule, Strength, reason_of
 from fleet_tui.situation.fact import Fact
 from fleet_tui.situation.motion import action_text, running_action
 from fleet_tui.situation.vehicles import FINDERS, REPORTED
@@ -15,9 +15,7 @@ def _told(find: Callable[[Robot], Fact | None], state: FleetState, robot: Robot)
     fact = find(robot) if state.is_fresh(robot, "vehicle") else None
     if fact is None:
         return None
-    strength = Strength.CERTAIN if fact.is_certain else Strength.POSSIBLE
-    keys, remedy = fact.kind.keys, fact.action
-    return Reason(fact.short, fact.evidence, strength, seen=fact.seen, keys=keys, remedy=remedy)
+    return reason_of(fact, Strength.CERTAIN if fact.is_certain else Strength.POSSIBLE)
 
 
 def acts(state: FleetState, robot: Robot) -> Reason | None:

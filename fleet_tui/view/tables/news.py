@@ -13,7 +13,7 @@ from fleet_tui.rules.commands.rivals import rivals
 from fleet_tui.rules.localisation.jumps import is_jumping
 from fleet_tui.rules.localisation.misplaced import misplaced_text
 from fleet_tui.situation.fact import Fact
-from fleet_tui.situation.facts import BAD_DATA, INACTIVE, SILENT
+from fleet_tui.situation.facts import BAD_DATA, FAULT, INACTIVE, SILENT
 from fleet_tui.situation.localisation import uncertain
 from fleet_tui.situation.motion import moves_despite_pause
 from fleet_tui.situation.navigation import inactive, silent_navigation
@@ -147,8 +147,10 @@ def _vehicle(state: FleetState, robot: Robot) -> Iterator[Run]:
         return
     for find in FINDERS:
         if (fact := find(robot)) is not None:
+            text = sanitize(fact.short)
+            is_own_word = fact.kind is FAULT  # the type of an error, by its maker
             is_high = fact.priority is Priority.HIGH
-            yield tr(sanitize(fact.short)), StyleRole.ALARM if is_high else StyleRole.WARN
+            yield text if is_own_word else tr(text), StyleRole.ALARM if is_high else StyleRole.WARN
 
 
 def _member(state: FleetState, robot: Robot) -> Iterator[Run]:

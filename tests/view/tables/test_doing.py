@@ -5,6 +5,7 @@ from typing import Any
 import pytest
 from msgspec.structs import replace
 
+from fleet_tui.languages import ENGLISH, use_language
 from fleet_tui.model.events import Event, ObstacleReported, PausedReported
 from fleet_tui.model.fleet import FleetState, with_robot
 from fleet_tui.model.fleets.member import Member
@@ -72,6 +73,16 @@ def test_who_cannot_drive_is_blocked_in_title_activity_and_on_the_map(said: str)
     assert said in row and "idle" not in row and row.count("blocked") == said.count("blocked")
     drawn = floor_scene(state, Selection(R0, F0)).robots[0]
     assert "!" in robot_tag(drawn, plain=True)
+
+
+def test_the_type_of_an_error_is_its_makers_word_in_every_language() -> None:
+    state = reduced(standing(ordered=False), vehicle(errors=(VehicleError("no pose", "FATAL"),)), tick(AT))
+    use_language("de")
+    try:
+        row = text_of(fleet_table(state, R0, 100).rows[0].runs)
+    finally:
+        use_language(ENGLISH)
+    assert "no pose" in row
 
 
 def test_an_emergency_of_a_fleet_and_an_issue_are_told_in_the_row() -> None:
