@@ -5,17 +5,17 @@ BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 PURE := $(addprefix tests/,text model keys rules graph_files state view adapters config test_house.py test_keymap.py test_errors.py)
 # One more than cores: some wait for a process. The longest first.
-TOGETHER := -q -n $(shell expr $$(getconf _NPROCESSORS_ONLN) + 1) --maxschedchunk 1
+TOGETHER := -q --forks $(shell expr $$(getconf _NPROCESSORS_ONLN) + 1)
 # Compiled once, not by each of a few hundred processes.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: demo test nightly quick lint types compiled tested unit bench coverage faults typed kills advisories fuzz soak pictures docs lock format dist dist-check clean
+.PHONY: demo test nightly quick lint types unit bench coverage faults typed kills advisories fuzz soak pictures docs lock format dist dist-check clean
 
 demo: $(READY)
 	@$(BIN)/fleet-tui demo
 
 test: $(READY)
-	@$(MAKE) --no-print-directory -j 2 lint types tested
+	@$(MAKE) --no-print-directory -j 2 lint types unit
 
 lint: $(READY)
 	@$(BIN)/ruff format --check --quiet . || { echo "run: make format"; exit 1; }
@@ -25,19 +25,9 @@ lint: $(READY)
 types: $(READY)
 	@$(BIN)/mypy
 
-# Each of several pytest workers would compile all tests; once, for later changes are few.
-compiled: $(VENV)/.compiled
-
-$(VENV)/.compiled: $(READY)
-	@$(BIN)/pytest -q --collect-only -p no:xdist > /dev/null 2>&1 || true  # errors: the tests themselves say them
-	@touch $@
-
 # The developer's loop: no processes, no sockets.
 quick: $(READY)
-	@$(BIN)/pytest -q -n 2 $(PURE)
-
-tested: compiled
-	@$(MAKE) --no-print-directory unit
+	@$(BIN)/pytest -q --forks 2 $(PURE)
 
 unit: $(READY)
 	@$(BIN)/pytest $(TOGETHER)
@@ -46,7 +36,7 @@ unit: $(READY)
 # kills, an hour's load in minutes, fuzzing, figures. Hours; each part ends by itself, and the first failure ends it.
 nightly: $(READY)
 	@$(BIN)/pytest $(TOGETHER) -m nightly
-	@FLEET_TUI_EXAMPLES=$(or $(EXAMPLES),2000) $(BIN)/pytest -q -n 2 --timeout 0 $(PURE)
+	@FLEET_TUI_EXAMPLES=$(or $(EXAMPLES),2000) $(BIN)/pytest -q --forks 2 --timeout 0 $(PURE)
 	@$(MAKE) --no-print-directory coverage faults kills typed soak fuzz bench
 
 bench: $(READY)
@@ -70,11 +60,11 @@ faults: $(READY)
 
 # Random keys in every form, list and menu: nothing leaves that nobody meant.
 typed: $(READY)
-	@FLEET_TUI_SEQUENCES=$(or $(SEQUENCES),10000) $(BIN)/pytest -q -n 2 --timeout 0 tests/scenarios/test_typed_at_random.py
+	@FLEET_TUI_SEQUENCES=$(or $(SEQUENCES),10000) $(BIN)/pytest -q --forks 2 --timeout 0 tests/scenarios/test_typed_at_random.py
 
 # Each console is killed as its command reaches the robot: its audit log has the command. 1.5 s each.
 kills: $(READY)
-	@FLEET_TUI_KILLS=$(or $(KILLS),500) $(BIN)/pytest -m '' -q -p no:xdist tests/faults/test_kills.py
+	@FLEET_TUI_KILLS=$(or $(KILLS),500) $(BIN)/pytest -m '' -q tests/faults/test_kills.py
 
 # Coverage-guided, and no part of the tests: atheris has no wheels for some systems.
 fuzz: $(READY)
