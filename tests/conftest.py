@@ -34,7 +34,7 @@ settings.load_profile("fleet-tui")
 parse_styles_once()
 
 
-LONGEST = ("test_soak.py", "test_main_fuzz.py", "test_process.py")
+LONGEST = ("test_soak.py", "test_main_fuzz.py", "test_process.py", "test_running.py", "test_real_keys.py")
 """They begin first: whoever ran one of them at the end would run alone."""
 
 

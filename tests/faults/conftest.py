@@ -1,6 +1,7 @@
-"""The short form of the faults, as `make test` runs them: the same, only sooner."""
+"""The short form of the faults, as `make nightly` runs them first: the same, only sooner."""
 
 import os
+from pathlib import Path
 
 import pytest
 
@@ -19,6 +20,13 @@ SHORT = (
     (wire, {"OBEYS": 3.0, "SLOW": 2.0, "AGAIN": 0.3}),
     (world, {"FOREIGN": 1.0, "FOREIGN_PAUSE": 2.0}),
 )
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    for item in items:
+        if item.path.is_relative_to(Path(__file__).parent):
+            item.add_marker(pytest.mark.nightly)
 
 
 @pytest.fixture(autouse=True)

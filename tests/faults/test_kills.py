@@ -41,7 +41,6 @@ def processor() -> Iterator[int]:
             process.wait()
 
 
-@pytest.mark.nightly
 @pytest.mark.timeout(240 + 5 * KILLS)
 async def test_killed_while_its_command_arrives(
     server: RosbridgeServer, tmp_path: Path, processor: int, monkeypatch: pytest.MonkeyPatch

@@ -2,13 +2,9 @@
 
 from pathlib import Path
 
-import pytest
-
 from tests.support.fault_report import report
 from tests.support.monkey import DEMO, play
 from tests.support.terminal_session import exists, in_terminal
-
-pytestmark = pytest.mark.nightly
 
 BREAKS = """
 import os

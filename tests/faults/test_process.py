@@ -36,10 +36,7 @@ def command(running: InTerminal) -> None:
     running.until(lambda: b'"change":"sent"' in log.read_bytes(), what="sent")
 
 
-@pytest.mark.nightly
-@pytest.mark.parametrize(
-    "name", ["SIGTERM", *(pytest.param(one, marks=pytest.mark.nightly) for one in ("SIGHUP", "SIGINT"))]
-)
+@pytest.mark.parametrize("name", ["SIGTERM", "SIGHUP", "SIGINT"])
 def test_a_signal_ends_it(demo: InTerminal, name: str) -> None:
     simulator = demo.children()
     command(demo)
@@ -51,7 +48,6 @@ def test_a_signal_ends_it(demo: InTerminal, name: str) -> None:
     report(f"{name}", "sent to the process", RESTORED, took, None)
 
 
-@pytest.mark.nightly
 def test_ssh_gone(demo: InTerminal) -> None:
     """The other end of the terminal is closed: the kernel sends SIGHUP, reads and writes fail."""
     simulator = demo.children()
@@ -62,7 +58,6 @@ def test_ssh_gone(demo: InTerminal) -> None:
     report("SSH connection lost", "the terminal's other end closes", "-", took, None)
 
 
-@pytest.mark.nightly
 def test_a_terminal_of_another_session_goes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """As under setsid: the kernel tells nobody, and reads find the end of the input, again and again."""
     monkeypatch.setattr(in_terminal_module, "_take_over", lambda *_: os.setsid())
@@ -76,7 +71,6 @@ def test_a_terminal_of_another_session_goes(tmp_path: Path, monkeypatch: pytest.
     report("terminal gone, no SIGHUP", "a terminal of another session; its other end closes", "-", took, None)
 
 
-@pytest.mark.nightly
 def test_killed(demo: InTerminal) -> None:
     simulator = demo.children()
     command(demo)
@@ -86,7 +80,6 @@ def test_killed(demo: InTerminal) -> None:
     report("SIGKILL", "sent to the process", "no child is left", took, None)
 
 
-@pytest.mark.nightly
 def test_a_terminal_that_does_not_read_any_more(demo: InTerminal) -> None:
     """A frozen SSH client, or Ctrl-S: the process must end all the same."""
     command(demo)
@@ -102,7 +95,6 @@ def test_a_terminal_that_does_not_read_any_more(demo: InTerminal) -> None:
     report("terminal does not read", "the pty is not read; SIGTERM", "-", took, None)
 
 
-@pytest.mark.nightly
 def test_to_the_shell_and_back(demo: InTerminal) -> None:
     def state() -> str:
         return Path(f"/proc/{demo.child.pid}/stat").read_text().rpartition(")")[2].split()[0]
@@ -119,7 +111,6 @@ STOPPED = 20.0 if "FLEET_TUI_FAULTS" in os.environ else 4.0
 """Seconds for which a console is stopped, four times as long as it waits for an answer."""
 
 
-@pytest.mark.nightly
 def test_stopped_while_the_answer_comes(tmp_path: Path) -> None:
     """Time in which it does not run is no time waited: nothing is missing, no robot is blamed."""
     with serving("fleet_tui", "sim", "--port", "0", "--stop-with-stdin", "--robots", "2") as (url, simulator):
@@ -148,7 +139,6 @@ def test_stopped_while_the_answer_comes(tmp_path: Path) -> None:
     report("SIGSTOP for 20 s, SIGCONT", "sent to the process, before an answer comes", seen, noticed, None)
 
 
-@pytest.mark.nightly
 def test_resized_to_nothing_and_back_hundreds_of_times(demo: InTerminal) -> None:
     for _ in range(200):
         for size in ((1, 1), (120, 40)):
@@ -168,7 +158,6 @@ def pause(running: InTerminal) -> None:
     running.shows("paused")
 
 
-@pytest.mark.nightly
 def test_the_disk_is_full(tmp_path: Path) -> None:
     with in_terminal(tmp_path, "--debug", "demo", largest_file=1) as running:
         pause(running)
@@ -185,7 +174,6 @@ def test_the_disk_is_full(tmp_path: Path) -> None:
     report("disk full", "no file can grow", seen, None, None)
 
 
-@pytest.mark.nightly
 @pytest.mark.parametrize("state", ["/proc/nowhere", "/dev/null/x"])
 def test_nothing_can_be_kept(tmp_path: Path, state: str) -> None:
     with in_terminal(tmp_path, "demo", XDG_STATE_HOME=state, HOME="/proc/nowhere") as running:
@@ -195,7 +183,6 @@ def test_nothing_can_be_kept(tmp_path: Path, state: str) -> None:
     report("no home", "a path that cannot be created", "logging off: ..., audit: not written", None, None)
 
 
-@pytest.mark.nightly
 @pytest.mark.parametrize("was_used", [False, True])
 def test_the_home_is_read_only(tmp_path: Path, was_used: bool) -> None:
     state = tmp_path / "state"
@@ -235,7 +222,6 @@ logging.FileHandler.flush = stuck
 """
 
 
-@pytest.mark.nightly
 def test_the_state_folders_disk_hangs(tmp_path: Path) -> None:
     """A network's file system whose server is gone: neither log holds the robots or the screen."""
     (tmp_path / "sitecustomize.py").write_text(HANGING)
@@ -251,14 +237,12 @@ def test_the_state_folders_disk_hangs(tmp_path: Path) -> None:
     report("disk hangs", "no write to the state folder returns", seen, None, None)
 
 
-@pytest.mark.nightly
 def test_the_state_folder_goes_away(demo: InTerminal, tmp_path: Path) -> None:
     shutil.rmtree(tmp_path / "state")
     pause(demo)
     report("state folder removed", "while the console runs", "keeps working", None, None)
 
 
-@pytest.mark.nightly
 def test_two_consoles_on_one_state_folder(demo: InTerminal, tmp_path: Path) -> None:
     with in_terminal(tmp_path, "demo") as other:
         for console in (demo, other):
@@ -278,7 +262,6 @@ socket.getaddrinfo = lambda *a, **k: time.sleep(30) if a[0] == "slow.example" el
 """
 
 
-@pytest.mark.nightly
 @pytest.mark.parametrize("key", ["q", ""])
 def test_a_name_that_is_looked_up_for_ever(tmp_path: Path, key: str) -> None:
     (tmp_path / "sitecustomize.py").write_text(SLOW_LOOK_UP)

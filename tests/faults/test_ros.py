@@ -172,7 +172,6 @@ async def test_the_master_is_gone(server: RosbridgeServer) -> None:
     report("no ROS master", "calls fail, topics continue", "commands dead: ...", noticed, healed)
 
 
-@pytest.mark.nightly
 async def test_a_hundred_robots_fall_silent_at_once() -> None:
     server = RosbridgeServer(World(robots=100, floors=1, seed=1, quiet=True))
     await server.start()

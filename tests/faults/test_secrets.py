@@ -22,8 +22,6 @@ from tests.support.proxied_link import lost
 from tests.support.secrets import SHARED, WORD, bridged, kept
 from tests.support.terminal_session import in_terminal
 
-pytestmark = pytest.mark.nightly
-
 Attend = Callable[[ServerConnection], object]
 
 

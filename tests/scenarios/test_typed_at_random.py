@@ -21,7 +21,7 @@ from fleet_tui.terminal.typing import GAP
 from tests.support.console_pilot import Console, console
 from tests.support.watched_store import config_of
 
-SEQUENCES = 25
+SEQUENCES = 10
 """Sequences of a console."""
 CONSOLES = int(os.environ.get("FLEET_TUI_SEQUENCES", SEQUENCES)) // SEQUENCES
 OPENERS: tuple[tuple[str, ...], ...] = (
