@@ -38,7 +38,7 @@ PURE_SIMULATOR = [
         "ros/actionlib.py",
     ),
     *(f"navigating/{name}.py" for name in ("world", "robot", "paths", "poses", "messages")),
-    *(f"{kind}/{name}.py" for kind in ("nav2", "move_base") for name in ("world", "navigation", "messages")),
+    *("nav2/world.py", "nav2/navigation.py", "nav2/messages.py", "move_base/navigation.py"),
 ]
 FORBIDDEN_NAMES = ("Manager", "Helper", "Utils", "Handler", "Data", "Info")
 IMPURE_CALLS = {"open", "print", "input", "now", "today", "monotonic", "perf_counter", "time_ns", "read_text"}

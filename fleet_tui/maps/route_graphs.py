@@ -11,17 +11,24 @@ from fleet_tui.adapters.parts import read_all
 from fleet_tui.adapters.ros.facts import is_place
 from fleet_tui.config.small_file import read_text
 from fleet_tui.errors import GraphError, WireError
+from fleet_tui.graph_files.graph_file import MissingChoiceError, ReadChoices
 from fleet_tui.graph_files.json_text import in_line
+from fleet_tui.graph_files.reading import read_graph
 from fleet_tui.model.events import FloorGraphLoaded
 from fleet_tui.model.graph import Edge, RouteGraph, Vertex
+from fleet_tui.model.graphs.document import DocumentFloor, GraphDocument
 from fleet_tui.model.graphs.ids import distinct
-from fleet_tui.model.graphs.live import role_of
+from fleet_tui.model.graphs.live import role_of, route_graph
 from fleet_tui.text.limits import LONGEST_NAME, MOST_EDGES, MOST_VERTICES, too_many, truncate
 
 MAX_FILE = 40_000_000
 """Maximum bytes: some 500 for each of the maximum vertices and edges."""
 LINES = ("LineString", "MultiLineString")
 _Id = Annotated[int, msgspec.Meta(ge=0, lt=2**32)]
+
+
+FARTHEST = 1e9
+"""Metres; a vertex farther off is on no floor."""
 
 
 class _Metadata(msgspec.Struct):
@@ -66,7 +73,7 @@ def _read(floor: str, path: Path) -> FloorGraphLoaded:
     raw = _features(text)
     if raw is None:
         # Only for other formats: their parsers would delay the start of every console.
-        from fleet_tui.maps.site_graphs import read_site_graph
+        from fleet_tui.maps.route_graphs import read_site_graph
 
         graph, labels, faults = read_site_graph(floor, text)
     else:
@@ -194,3 +201,45 @@ def _graph(vertices: Mapping[str, Vertex], lines: Iterable[_Feature], faults: li
 def _with_back(edge: Edge, ways: Mapping[tuple[str, str], Edge]) -> Edge:
     back = ways[edge.end, edge.start].id
     return replace(edge, reverse_id=back) if back != edge.id else edge
+
+
+def read_site_graph(floor: str, text: str) -> tuple[RouteGraph, dict[str, str], list[str]]:
+    """Return the graph of a floor, its labels, and the faults of elements that are left out.
+
+    Raises GraphError.
+    """
+    try:
+        document = read_graph(text, None, ReadChoices(floor)).document
+    except MissingChoiceError as missing:
+        remedy = f"make a file of it: fleet-tui graph convert IN OUT {missing.option} ..."
+        raise GraphError(f"{missing}; {remedy}") from None
+    found, faults = _usable(_floor(document, floor))
+    if not found.vertices:
+        raise GraphError("has no vertices")
+    graph, labels = route_graph(found)
+    shown = {id_: truncate(label.strip(), LONGEST_NAME) for id_, label in labels.items() if label.strip()}
+    return graph, shown, faults
+
+
+def _floor(document: GraphDocument, name: str) -> DocumentFloor:
+    """Return the floor of that name, else the only one. Raises GraphError."""
+    if name in document.floors:
+        return document.floors[name]
+    if len(document.floors) == 1:
+        return next(iter(document.floors.values()))
+    names = ", ".join(list(document.floors)[:5]) or "none"
+    raise GraphError(f"has the floors {names}: none is called {name}")
+
+
+def _usable(floor: DocumentFloor) -> tuple[DocumentFloor, list[str]]:
+    """Return the floor without vertices at no place and edges without both ends, and the faults."""
+    vertices = {id_: v for id_, v in floor.vertices.items() if abs(v.x) <= FARTHEST and abs(v.y) <= FARTHEST}
+    faults = [f"vertex {id_} is at no place: left out" for id_ in floor.vertices if id_ not in vertices]
+    edges = {}
+    for id_, edge in floor.edges.items():
+        lost = [end for end in (edge.start, edge.end) if end not in vertices]
+        if lost:
+            faults.append(f"edge {id_} names unknown vertex {lost[0]}: left out")
+        else:
+            edges[id_] = edge
+    return replace(floor, vertices=vertices, edges=edges), faults

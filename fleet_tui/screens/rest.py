@@ -49,7 +49,7 @@ from fleet_tui.screens.palette import Palette
 from fleet_tui.screens.programs import Programs, programs_overlay
 from fleet_tui.screens.robot.page import RobotPage, robot_page_overlay
 from fleet_tui.screens.routines import Routines, routines_overlay
-from fleet_tui.screens.simple_switch import simple_switch
+from fleet_tui.screens.simple import simple_switch
 from fleet_tui.screens.tables.tools import TableTools
 from fleet_tui.screens.why import Why
 from fleet_tui.terminal.lean_app import LeanApp

@@ -1,13 +1,14 @@
 """The simple interface, above the map, beside it or in its place: large buttons, for arrows or the mouse."""
 
 from collections.abc import Callable, Sequence
-from typing import Any, ClassVar, Self
+from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 from textual import on
 from textual.app import ComposeResult
 from textual.binding import BindingType
 from textual.containers import Vertical
 from textual.content import Content
+from textual.widget import Widget
 from textual.widgets import Button, Input, Static
 
 from fleet_tui.model.fleet import FleetState
@@ -23,8 +24,14 @@ from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.tables.doing import told_text
 from fleet_tui.widgets.field import Field
 from fleet_tui.widgets.matches import Matches
+from fleet_tui.widgets.panes import Panes
 
 FIELDS = ("robot", "from", "to", "send")
+
+
+if TYPE_CHECKING:
+    from fleet_tui.screens.main import MainScreen
+    from fleet_tui.screens.rest import Rest
 
 
 class Large(OnceButton):
@@ -271,3 +278,57 @@ def _line(choice: Place | str) -> str:
 
 _PURPOSE = {"from": "the cargo is fetched", "to": "it is brought"}
 """Why a choice is missing."""
+
+
+class SimpleSwitch:
+    """Creates the simple interface on first use."""
+
+    def __init__(
+        self,
+        panes: Panes,
+        map_view: Widget,
+        make: Callable[[Callable[[], None]], Simple],
+        may_order: Callable[[], bool],
+    ) -> None:
+        self._panes = panes
+        self._map = map_view
+        self._make = make
+        self._may_order = may_order
+        self._simple: Simple | None = None
+        self._parts = 0
+
+    async def turn(self) -> None:
+        """Show or hide the simple interface."""
+        panes = self._panes
+        if not panes.has_class("-simple") and not self._may_order():
+            return
+        if self._simple is None:
+            simple = self._make(self._leave)
+            await panes.floor.mount(simple, before=0)
+            self._simple = simple  # not before: ticks during the mounting would query missing widgets
+            self._parts = len(simple.children)
+        if panes.has_class("-simple"):
+            self._leave()
+        else:
+            panes.add_class("-simple")
+            panes.share_out()
+            self._simple.start()
+
+    def _leave(self) -> None:
+        self._panes.remove_class("-simple")
+        self._panes.share_out()
+        self._panes.screen.set_focus(self._map)
+
+    def show(self) -> None:
+        """Show the newest state."""
+        # While the console ends, its widgets go one after the other.
+        if self._simple is not None and len(self._simple.children) == self._parts:
+            self._simple.show()
+
+
+def simple_switch(screen: "MainScreen", rest: "Rest") -> SimpleSwitch:
+    def make(close: Callable[[], None]) -> Simple:
+        state, navigation = lambda: screen.store.state, screen.navigation
+        return Simple(state, lambda: navigation.robot, navigation.select, screen.dispatch.give, close)
+
+    return SimpleSwitch(screen.panes, rest.map, make, rest.orders.may_order)

@@ -3,18 +3,24 @@
 import asyncio
 import logging
 import os
+import signal
+import socket
+from asyncio.subprocess import PIPE, Process
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from importlib import resources
+from ipaddress import ip_address
 from json import JSONDecodeError
+from urllib.parse import urlsplit
 
 import textual_serve
 from aiohttp import WSCloseCode, WSMsgType, web
+from aiohttp.typedefs import Handler, Middleware
+from textual_serve.app_service import AppService
+from textual_serve.download_manager import DownloadManager
 
 from fleet_tui.errors import FleetError
 from fleet_tui.log_file import log_to_file
-from fleet_tui.serve.guard import guard, is_loopback, say_policy
-from fleet_tui.serve.tab import Tab
 from fleet_tui.stopping import stopped_by_signal
 
 MOST_TABS = 8
@@ -28,6 +34,113 @@ LONGEST_MESSAGE = 2**20
 """Maximum bytes from a page: a paste."""
 
 Say = Callable[[str], object]
+
+PATIENCE = 1.5
+"""Seconds for a console to end by itself once its tab is closed."""
+KILLED = 10.0
+"""Seconds for a busy machine to end what was killed."""
+WIDEST = 1000
+HIGHEST = 500
+"""Maximum cells; a page may send any number."""
+
+SETTINGS = {
+    "TEXTUAL_DRIVER": "fleet_tui.terminal.browser_driver:BrowserDriver",
+    "TEXTUAL_COLOR_SYSTEM": "truecolor",
+    "TERM": "xterm-256color",
+    "COLORTERM": "truecolor",
+    "PYTHONIOENCODING": "utf-8",
+}
+_OUR_TERMINAL = ("TMUX", "STY", "TERM_PROGRAM", "TERM_PROGRAM_VERSION", "LINES")
+
+
+class Tab(AppService):
+    """Like textual-serve's, but without a shell, with a guaranteed end that the page is notified of."""
+
+    def __init__(self, command: Sequence[str], websocket: web.WebSocketResponse) -> None:
+        super().__init__(
+            "",
+            write_bytes=websocket.send_bytes,
+            write_str=websocket.send_str,
+            close=self._close,
+            download_manager=DownloadManager(),
+        )
+        self._arguments = command
+        self._websocket = websocket
+
+    async def _close(self) -> None:
+        """Close the page's end, with the reason."""
+        await self._websocket.close(message=b"The console has ended.")
+
+    def _build_environment(self, width: int = 80, height: int = 24) -> dict[str, str]:
+        """Return our environment, secrets included: they are in no argument. Its terminal settings don't
+        apply there."""
+        ours = {name: value for name, value in os.environ.items() if name not in _OUR_TERMINAL}
+        return {**ours, **SETTINGS, "COLUMNS": str(width), "ROWS": str(height)}
+
+    async def _open_app_process(self, width: int = 80, height: int = 24) -> Process:
+        width, height = within(width, height)
+        self._process = await asyncio.create_subprocess_exec(
+            *self._arguments,
+            stdin=PIPE,
+            stdout=PIPE,
+            stderr=PIPE,
+            env=self._build_environment(width, height),
+            start_new_session=True,
+        )
+        self._stdin = self._process.stdin
+        return self._process
+
+    async def run(self) -> None:
+        """Forward the console's output. When it ends, for any reason, the page must not look live."""
+        await super().run()
+        with suppress(ConnectionError):
+            await self._close()
+
+    async def stop(self) -> None:
+        """Stop the process, by force if needed."""
+        process = self._process
+        if process is None:
+            return
+        with suppress(TimeoutError):
+            async with asyncio.timeout(PATIENCE):
+                await self.send_meta({"type": "quit"})
+                await process.wait()
+        with suppress(ProcessLookupError):
+            os.killpg(process.pid, signal.SIGKILL)  # also its child processes
+        if self._task is not None:
+            self._task.cancel()
+        with suppress(TimeoutError):
+            await asyncio.wait_for(process.wait(), KILLED)
+
+    async def on_message(self, message: object) -> None:
+        """Handle a message of the page; others are ignored."""
+        match message:
+            case ["stdin", str(keys)]:
+                await self.send_bytes(keys.encode("utf-8", "replace"))
+            case ["resize", {"width": int(width), "height": int(height)}]:
+                await self.set_terminal_size(*within(width, height))
+            case ["ping", str(sent)]:
+                await self._websocket.send_json(["pong", sent])
+            case ["blur"]:
+                await self.blur()
+            case ["focus"]:
+                await self.focus()
+
+
+def within(width: int, height: int) -> tuple[int, int]:
+    """Return a terminal size limited to one that can be painted."""
+    return max(1, min(WIDEST, width)), max(1, min(HIGHEST, height))
+
+
+HEADERS = {
+    "X-Frame-Options": "DENY",  # or another page could have its visitors click here
+    "X-Content-Type-Options": "nosniff",
+    "Referrer-Policy": "no-referrer",
+    "Cache-Control": "no-cache",
+}
+POLICY = (
+    "default-src 'self' 'unsafe-inline'; img-src 'self' data:; frame-ancestors 'none'; connect-src 'self'"
+)
 
 
 class Consoles:
@@ -131,3 +244,56 @@ def _warning(host: str, port: int) -> str:
         f"Safer: omit --host, and on the other machine\n"
         f"  ssh -L {port}:127.0.0.1:{port} THIS_MACHINE    then open http://127.0.0.1:{port}/"
     )
+
+
+def is_loopback(host: str) -> bool:
+    """Tell whether an address can be reached from this machine only."""
+    try:
+        return ip_address(host).is_loopback
+    except ValueError:
+        return host == "localhost"
+
+
+def is_ours(host: str, names: frozenset[str]) -> bool:
+    """Tell whether a Host header is a plain address, which can't be rebound, or one of our names."""
+    try:
+        name = urlsplit(f"//{host}").hostname or ""
+        if name in names:
+            return True
+        ip_address(name)
+    except ValueError:
+        return False
+    return True
+
+
+def is_same_origin(origin: str, host: str) -> bool:
+    """Tell whether a page is from the same server that it connects to."""
+    scheme, _, place = origin.partition("://")
+    return scheme in ("http", "https") and place == host
+
+
+def names_of(host: str) -> frozenset[str]:
+    """Return the names of this server, listening on `host`."""
+    own = socket.gethostname().lower()
+    return frozenset({"localhost", host} | (set() if is_loopback(host) else {own, f"{own}.local"}))
+
+
+def guard(host: str) -> Middleware:
+    """Return the check of every request to a server that listens on `host`."""
+    names = names_of(host)
+
+    @web.middleware
+    async def check(request: web.Request, handler: Handler) -> web.StreamResponse:
+        if not is_ours(request.host, names):
+            raise web.HTTPForbidden(text="fleet-tui serve: unknown host name; open it by its address.\n")
+        if request.path == "/ws" and not is_same_origin(request.headers.get("Origin", ""), request.host):
+            raise web.HTTPForbidden(text="fleet-tui serve: cross-origin access denied.\n")
+        return await handler(request)
+
+    return check
+
+
+async def say_policy(request: web.Request, response: web.StreamResponse) -> None:
+    """Set headers: nothing is fetched from elsewhere, nothing is shown inside another page."""
+    ours = f"ws://{request.host} wss://{request.host}"
+    response.headers.update({**HEADERS, "Content-Security-Policy": f"{POLICY} {ours}"})

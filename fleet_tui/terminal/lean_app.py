@@ -1,6 +1,10 @@
 """Textual's app, overridden where Textual has no hook; the work is done by other objects."""
 
 import logging
+import math
+import time
+from collections.abc import Callable
+from functools import partial
 from typing import TYPE_CHECKING
 
 from rich.console import RenderableType
@@ -10,11 +14,11 @@ from textual.driver import Driver
 from textual.screen import Screen
 from textual.worker import WorkerFailed
 
-from fleet_tui.terminal.answer import KeyAnswer
 from fleet_tui.terminal.display_driver import DisplayDriver
 from fleet_tui.terminal.key_queue import KeyDone, KeyQueue
 from fleet_tui.terminal.key_releases import parse_releases, tell_releases
 from fleet_tui.terminal.terminal_driver import TerminalDriver
+from fleet_tui.transports.loop import end_turn, give_turn
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -26,6 +30,10 @@ if TYPE_CHECKING:
     from fleet_tui.terminal.first_paint import FirstPaint
 
 LOG = logging.getLogger(__name__)
+
+
+WITHIN = 0.03
+"""Seconds after a key in which a picture is its answer; some keys have none."""
 
 
 class LeanApp(App[None]):
@@ -135,3 +143,35 @@ class LeanApp(App[None]):
 
     def action_repaint(self) -> None:
         self.output.repaint()
+
+
+class KeyAnswer:
+    """Puts off what would delay the next picture after a key."""
+
+    def __init__(self) -> None:
+        self._until = -math.inf
+
+    def asked(self) -> None:
+        """Have everything else wait: a key has come."""
+        self._until = time.monotonic() + WITHIN
+        give_turn()
+
+    def shown(self) -> None:
+        """Note that a picture is sent."""
+        self._until = -math.inf
+
+    def then(self, app: App[None], tick: Callable[[], None]) -> None:
+        """Call a tick now, or once after the answer that is still to come."""
+        if time.monotonic() < self._until:
+            app.set_timer(WITHIN, partial(_alone, tick))
+        else:
+            _alone(tick)
+
+
+def _alone(tick: Callable[[], None]) -> None:
+    """Call a tick while messages wait: a key that comes now waits for both."""
+    give_turn()
+    try:
+        tick()
+    finally:
+        end_turn()

@@ -14,7 +14,7 @@ from contextlib import closing
 from pathlib import Path
 
 from fleet_tui.config.load import load
-from fleet_tui.controllers.history.reading import PAGES, read_page
+from fleet_tui.controllers.history.controls import PAGES, read_page
 from fleet_tui.history.database import history_path, open_to_write, transaction
 from fleet_tui.rules.history.division import divided
 from fleet_tui.rules.history.observing import HOUR

@@ -20,7 +20,7 @@ from fleet_tui.app import FleetApp
 from fleet_tui.controllers.map import MapControls
 from fleet_tui.model.events import Event, PoseReported
 from fleet_tui.screens.main import MainScreen
-from fleet_tui.screens.tables.filter_line import FilterLine
+from fleet_tui.screens.tables.tools import FilterLine
 from fleet_tui.state.store import Store
 from fleet_tui.terminal.lean_app import LeanApp
 

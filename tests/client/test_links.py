@@ -1,10 +1,10 @@
-"""Tests of fleet_tui/client/links.py: an address chooses the transport by its scheme."""
+"""Tests of fleet_tui/client/fleet_link.py: an address chooses the transport by its scheme."""
 
 from urllib.parse import urlsplit
 
 import pytest
 
-from fleet_tui.client.links import FOLDERS, link_of
+from fleet_tui.client.fleet_link import FOLDERS, link_of
 from fleet_tui.client.rosbridge.link import BridgeLink
 from fleet_tui.client.writer import Writer
 from fleet_tui.config.fleet import adapters_of

@@ -2,7 +2,7 @@
 
 import msgspec
 
-from fleet_tui.controllers.startup_requests import LINK_WITHIN, PAUSE_WITHIN, StartupRequests
+from fleet_tui.controllers.dispatch import LINK_WITHIN, PAUSE_WITHIN, StartupRequests
 from fleet_tui.model.commands import Command, PauseRobot
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import LinkState, Phase

@@ -2,10 +2,10 @@
 
 import pytest
 
-from fleet_tui.desk import replies as module
+from fleet_tui.desk import desk as module
+from fleet_tui.desk.desk import Replies
 from fleet_tui.desk.facts import SharedAcknowledgement, SharedShelving
 from fleet_tui.desk.presence import Presence
-from fleet_tui.desk.replies import Replies
 from fleet_tui.model.desk.events import AlarmAcknowledged, AlarmShelved, AlarmUnshelved
 from fleet_tui.model.events import Event
 from fleet_tui.state.store import Store
@@ -17,7 +17,7 @@ ALARM = (LINK, "link")
 @pytest.fixture
 def clock(monkeypatch: pytest.MonkeyPatch) -> list[float]:
     now = [T0]
-    monkeypatch.setattr("fleet_tui.desk.replies.time.monotonic", lambda: now[0])
+    monkeypatch.setattr("fleet_tui.desk.desk.time.monotonic", lambda: now[0])
     return now
 
 

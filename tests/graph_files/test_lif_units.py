@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 
 from fleet_tui.graph_files.graph_file import MissingChoiceError, ReadChoices
-from fleet_tui.graph_files.lif_units import in_si_units
+from fleet_tui.graph_files.lif import in_si_units
 
 
 def tree(x: float, theta: float) -> dict[str, Any]:

@@ -3,7 +3,7 @@
 import pytest
 
 from fleet_tui.errors import GraphError
-from fleet_tui.maps.site_graphs import read_site_graph
+from fleet_tui.maps.route_graphs import read_site_graph
 from fleet_tui.model.graph import Role
 
 RMF = """

@@ -11,7 +11,7 @@ from msgspec.structs import replace
 from fleet_tui.languages import ENGLISH, use_language
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.text.language import read_catalogue
-from fleet_tui.view.help.legend import legend
+from fleet_tui.view.help.pages import legend
 from tests.support.console_pilot import Console, console
 from tests.support.nav2_site import nav2_ready, nav2_site
 from tests.support.scenario import plant

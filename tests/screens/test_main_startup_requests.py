@@ -7,7 +7,7 @@ import pytest
 
 from fleet_tui.backend import OpenLinks, connect_live
 from fleet_tui.config.schema import Config
-from fleet_tui.controllers import startup_requests
+from fleet_tui.controllers import dispatch
 from fleet_tui.model.problem import Permissions
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.state.store import Store
@@ -34,8 +34,8 @@ def gate(monkeypatch: pytest.MonkeyPatch) -> Iterator[threading.Event]:
 async def test_a_key_pressed_before_the_link_is_there_is_sent_when_it_is(
     server: RosbridgeServer, gate: threading.Event, monkeypatch: pytest.MonkeyPatch, key: str, service: str
 ) -> None:
-    monkeypatch.setattr(startup_requests, "LINK_WITHIN", 20.0)
-    monkeypatch.setattr(startup_requests, "PAUSE_WITHIN", 20.0)
+    monkeypatch.setattr(dispatch, "LINK_WITHIN", 20.0)
+    monkeypatch.setattr(dispatch, "PAUSE_WITHIN", 20.0)
     async with console(config_of(server.url, 1), wait=False) as it:
         await it.press(key)
         await it.shows("waiting for the link")
@@ -50,8 +50,8 @@ async def test_a_key_pressed_before_the_link_is_there_is_sent_when_it_is(
 async def test_it_does_not_wait_for_ever(
     server: RosbridgeServer, gate: threading.Event, monkeypatch: pytest.MonkeyPatch, key: str
 ) -> None:
-    monkeypatch.setattr(startup_requests, "LINK_WITHIN", 0.2)
-    monkeypatch.setattr(startup_requests, "PAUSE_WITHIN", 0.2)
+    monkeypatch.setattr(dispatch, "LINK_WITHIN", 0.2)
+    monkeypatch.setattr(dispatch, "PAUSE_WITHIN", 0.2)
     async with console(config_of(server.url, 1), wait=False) as it:
         await it.press(key)
         it.app.set_interval(0.1, it.app.main.tick)

@@ -10,7 +10,7 @@ from aiohttp import web
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fleet_tui.serve.tab import HIGHEST, WIDEST, Tab, within
+from fleet_tui.serve.run import HIGHEST, WIDEST, Tab, within
 from tests.support.polling import HANGS
 
 
@@ -71,7 +71,7 @@ async def test_a_console_gets_the_keys_and_a_terminal_of_the_pages_size(
 async def test_a_console_that_does_not_end_is_killed_with_its_children(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr("fleet_tui.serve.tab.PATIENCE", 0.1)
+    monkeypatch.setattr("fleet_tui.serve.run.PATIENCE", 0.1)
     it, _ = tab(
         "import subprocess; child = subprocess.Popen(['sleep', '60']); print(flush=True); child.wait()"
     )

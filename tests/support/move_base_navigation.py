@@ -4,9 +4,9 @@ from typing import Any
 
 from fleet_tui.model.geometry import Pose
 from fleet_tui.simulator.move_base.navigation import (
+    MoveBaseWorld,
     SimMoveBase,
 )
-from fleet_tui.simulator.move_base.world import MoveBaseWorld
 from fleet_tui.simulator.navigating.poses import solid
 from fleet_tui.simulator.ros.actionlib import (
     GoalReport,

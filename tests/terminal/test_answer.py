@@ -6,8 +6,8 @@ from typing import Any
 import pytest
 from textual.app import App
 
-from fleet_tui.terminal import answer
-from fleet_tui.terminal.answer import WITHIN, KeyAnswer
+from fleet_tui.terminal import lean_app
+from fleet_tui.terminal.lean_app import WITHIN, KeyAnswer
 
 
 class Later(App[None]):
@@ -26,8 +26,8 @@ class Later(App[None]):
 def turns(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     """What happens in which order; turns of the screen begin and end."""
     noted = list[str]()
-    monkeypatch.setattr(answer, "give_turn", lambda: noted.append("begin"))
-    monkeypatch.setattr(answer, "end_turn", lambda: noted.append("end"))
+    monkeypatch.setattr(lean_app, "give_turn", lambda: noted.append("begin"))
+    monkeypatch.setattr(lean_app, "end_turn", lambda: noted.append("end"))
     return noted
 
 
@@ -61,7 +61,7 @@ def test_a_key_without_a_picture_delays_ticks_for_a_moment_only(
     turns: list[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     now = 50.0
-    monkeypatch.setattr("fleet_tui.terminal.answer.time.monotonic", lambda: now)
+    monkeypatch.setattr("fleet_tui.terminal.lean_app.time.monotonic", lambda: now)
     app, key = Later(), KeyAnswer()
     key.asked()
     now += WITHIN

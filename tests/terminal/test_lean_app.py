@@ -17,8 +17,7 @@ from textual.widgets import Input, OptionList, Static
 from fleet_tui.controllers.map import MapControls
 from fleet_tui.model.geometry import Line, MapFrame, Pose
 from fleet_tui.model.occupancy import FREE, OCCUPIED, build_grid
-from fleet_tui.terminal.answer import KeyAnswer
-from fleet_tui.terminal.lean_app import LeanApp
+from fleet_tui.terminal.lean_app import KeyAnswer, LeanApp
 from fleet_tui.themes import load_themes
 from fleet_tui.view.map.scene import Mission, Scene, SceneRobot, SceneVertex
 from fleet_tui.widgets.map_view import MapView

@@ -4,7 +4,7 @@ from textual.app import App, ComposeResult
 
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.view.layout import LEAST_SHARED
-from fleet_tui.widgets.below_map import BelowMap
+from fleet_tui.widgets.panes import BelowMap
 from tests.support.console_pilot import console
 from tests.support.watched_store import config_of
 

@@ -10,9 +10,8 @@ from fleet_tui.model.kind import CAMERA
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.streams import CameraImage, Streamed
 from fleet_tui.state.store import Store
-from fleet_tui.view.camera.caption import CameraFacts, caption, note
+from fleet_tui.view.camera.caption import CameraFacts, PictureRate, caption, note
 from fleet_tui.view.camera.cells import PictureCells, half_blocks, ramp
-from fleet_tui.view.camera.rate import PictureRate
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.widgets.camera_view import CameraView
 

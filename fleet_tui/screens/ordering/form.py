@@ -1,8 +1,10 @@
 """The order form: robot, from, to. Typed text filters the labels, Enter goes on, the last Enter sends; `>`
 after a label adds a leg: A > B > C. Its way and length: `rules/routes/order_draft.py`."""
 
+import math
 from collections.abc import Callable, Sequence
 
+from msgspec.structs import replace
 from textual import events, on
 from textual.app import ComposeResult
 from textual.widgets import Button, Input, Static
@@ -13,31 +15,99 @@ from fleet_tui.model.problem import Problem
 from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.checks import robot_problems
-from fleet_tui.rules.language.anyone import ANYONE
-from fleet_tui.rules.language.favourites import Favourite
+from fleet_tui.rules.language.anyone import ANYONE, is_anyone
+from fleet_tui.rules.language.favourites import Favourite, Given
 from fleet_tui.rules.language.lookup import HERE, Place, is_still, order_of, starts_here
+from fleet_tui.rules.routes.dispatching import to_any
+from fleet_tui.rules.routes.nearest import Nearest, nearest, why_none
 from fleet_tui.rules.routes.order_draft import Draft
-from fleet_tui.screens.ordering.choice_list import ChoiceList
 from fleet_tui.screens.ordering.choices import (
     Choice,
+    Choices,
     changed,
+    choices,
     hindrance,
     is_in_label,
+    lines,
     missing,
     no_match,
+    scope,
     title,
     warnings,
     without_places,
 )
 from fleet_tui.screens.ordering.fields import OrderFields
 from fleet_tui.screens.ordering.legs import SIGN, Legs
-from fleet_tui.screens.ordering.proposal import Proposal
 from fleet_tui.screens.ordering.sending import Give, GiveAnyone, OrderSending
 from fleet_tui.screens.overlay import MouseButton, ReturningOverlay
 from fleet_tui.text.language import tr
+from fleet_tui.text.sanitize import sanitize
+from fleet_tui.widgets.matches import Matches
 
 Picture = tuple[tuple[object, ...], tuple[object, ...]]
 """Values, and the graphs and labels, each of which is replaced as a whole."""
+
+
+class ChoiceList(Matches[Choice]):
+    """Lists the choices of the field with the cursor, for a robot if it is known."""
+
+    def __init__(
+        self, state: Callable[[], FleetState], fields: OrderFields, given: Callable[[], Sequence[Given]]
+    ) -> None:
+        super().__init__(id="matches")
+        self._state = state
+        self._fields = fields
+        self._given = given
+
+    def list_for(self, robot: Robot | None, keep: bool = False) -> bool:
+        """List the choices, the first one marked if something is typed; to `keep` the mark returns False if
+        its choice is gone."""
+        typed, fields = self._fields.typed, self._fields
+        start = fields.chosen.get("from") if fields.current == "to" else None
+        found = self._choices(robot)
+        texts = lines(self._state(), robot, typed, found, start if start != HERE else None)
+        if keep:
+            return self.renew(found, texts)
+        self.show(found, texts, mark=0 if typed else None)
+        return True
+
+    def scope(self, robot: Robot | None) -> str:
+        """Return which places are listed before anything is typed."""
+        return scope(robot, self._fields.typed, self.items)
+
+    def unknown(self, robot: Robot | None) -> str:
+        """Return that what is typed is no choice, empty if it is one."""
+        typed = self._fields.typed
+        return no_match(robot, self._fields.current, typed) if typed.strip() and not self.items else ""
+
+    def _choices(self, robot: Robot | None) -> Choices:
+        fields, field = self._fields, self._fields.current
+        if field != "robot" and self._is_for_nobody(robot):
+            return []
+        return choices(
+            self._state(), robot, field, fields[field].typed, fields.chosen.get(field), self._given
+        )
+
+    def draft(self, robot: Robot | None) -> Draft:
+        """Return the draft of an order, without a robot that of any, as if Enter took the marked choice."""
+        if self._is_for_nobody(robot):
+            return Draft("")
+        name, marked, fields = robot.name if robot is not None else "", self.marked, self._fields
+        if isinstance(marked, Favourite):
+            return Draft(name, (marked.start, marked.end), marked=marked.start)
+        place = marked if isinstance(marked, Place) else None
+        chosen = {**fields.chosen, fields.current: place} if place is not None else fields.chosen
+        places = (chosen.get("from"), *fields["to"].legs.places, chosen.get("to"))
+        visited = tuple(one for one in places if one is not None and one != HERE)
+        return Draft(name, visited, chosen.get("from") == HERE, place if place != HERE else None)
+
+    def _is_for_nobody(self, robot: Robot | None) -> bool:
+        return robot is None and not is_anyone(self._fields["robot"].value, self._state())
+
+
+CHOSEN = "the dispatcher chooses the robot"
+AGAIN = 1.0
+"""Seconds after which the nearest robot is looked for again: it takes a search of every graph."""
 
 
 def picture_of(state: FleetState, robot: Robot | None) -> Picture:
@@ -294,3 +364,36 @@ class OrderForm(ReturningOverlay):
         problem, field = self._sending.finish(self._robot(), self.action_close)
         if problem:
             self._say(problem, field)
+
+
+class Proposal(Static):
+    """Shows the nearest idle robot with the reason for it, why none can drive the order, or that a dispatcher
+    chooses."""
+
+    def __init__(self, state: Callable[[], FleetState]) -> None:
+        super().__init__(id="proposal", markup=False)
+        self._state = state
+        self._found: Nearest | None = None
+        self._places: tuple[Place, ...] = ()
+        self._at = -math.inf
+        self.display = False
+
+    def on(self, draft: Draft) -> Draft | None:
+        """Return a draft without a robot as that of the nearest idle one, None without one; a draft with a
+        robot hides the proposal."""
+        self._look(() if draft.robot else draft.places)
+        if draft.robot or self._found is None:
+            return draft if draft.robot else None
+        return replace(draft, robot=self._found.robot, places=self._found.places)
+
+    def _look(self, places: tuple[Place, ...]) -> None:
+        state = self._state()
+        if places == self._places and (not places or state.now - self._at < AGAIN):
+            return
+        self._places = places
+        self._at = state.now
+        is_dispatched = to_any(state, places) is not None
+        self._found = nearest(state, places) if places and not is_dispatched else None
+        reason = why_none(state, places) if places and not is_dispatched else CHOSEN * is_dispatched
+        self.update(tr(sanitize(self._found.text if self._found is not None else reason)))
+        self.display = bool(places)

@@ -1,18 +1,33 @@
 """Filter, order, marks and copies of the rows of the main screen."""
 
+import math
+import time
+from collections.abc import Callable, Sequence
 from functools import partial
+from time import monotonic
 from typing import TYPE_CHECKING
 
+from textual import on
+from textual.app import ComposeResult
+from textual.containers import Horizontal
 from textual.widget import Widget
+from textual.widgets import Input, Label, Static
 
 from fleet_tui.actions import TableActions
 from fleet_tui.controllers.dispatch import Ask
 from fleet_tui.controllers.tables.marked import MarkedCommands
-from fleet_tui.screens.tables.filter_line import FilterLine
-from fleet_tui.screens.tables.outcomes import Outcomes
+from fleet_tui.model.commands import Command, CommandRecord
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.screens.overlay import Overlay
 from fleet_tui.terminal.clipboard import clipboard, copied_text
 from fleet_tui.terminal.lean_app import LeanApp
+from fleet_tui.text.details import detail_text
+from fleet_tui.text.language import tr
+from fleet_tui.text.sanitize import sanitize
+from fleet_tui.view.lines.commands import command_text, stage_text
 from fleet_tui.view.tables.groups import GroupHead
+from fleet_tui.widgets.field import Field
+from fleet_tui.widgets.pace import Pace
 from fleet_tui.widgets.rows_pane import RowsPane
 
 if TYPE_CHECKING:
@@ -21,6 +36,17 @@ if TYPE_CHECKING:
 TRIES = 5
 AGAIN_AFTER = 0.1
 """Copies while the terminal is still reading the last picture, and seconds between them."""
+
+
+PAUSE = 0.3
+ALL_EVERY = 0.5
+"""Seconds after a letter in which the panes wait, and after which they are shown all the same."""
+
+
+SHOWN = 9
+"""Lines; the number of others follows."""
+STAYS = 8.0
+"""Seconds for which it stays after the last outcome."""
 
 
 class TableTools:
@@ -111,3 +137,147 @@ class TableTools:
             self._screen.set_timer(AGAIN_AFTER, partial(self._copy, tries - 1))
         else:
             say("not copied: the terminal is not reading")
+
+
+class FilterLine(Overlay):
+    """Above the footer, in the place of the message. `show` shows the newest rows of a pane, and the best
+    one for what is typed."""
+
+    def __init__(self, show: Callable[[RowsPane, str], None]) -> None:
+        super().__init__(id="filter-line")
+        self._show = show
+        self._pane: RowsPane | None = None
+        self._typed_at = -math.inf
+        self._pace = Pace(ALL_EVERY)
+        steps = {"up": -1, "down": 1, "pageup": -10, "pagedown": 10}
+        keys: dict[str, Callable[[], object]] = {
+            key: partial(self._move, step) for key, step in steps.items()
+        }
+        keys |= {"enter": self._keep, "escape": self.action_close}
+        self._field = Field(keys, id="filter-text")
+        self._title = Label(id="filter-name", markup=False)
+
+    def compose(self) -> ComposeResult:
+        """Compose the name of the table, and the field."""
+        yield Horizontal(self._title, self._field)
+
+    def start(self, pane: RowsPane) -> None:
+        """Open it for a table, with its filter."""
+        self._pane = pane
+        pane.arrangement.is_typing = True
+        keys = " ".join(f"{name}:" for name in pane.arrangement.names)
+        self._field.placeholder = tr(f"words !word {keys} Enter keeps, Esc clears")
+        self._title.update(f" {tr((pane.id or '').capitalize())} /")
+        with self._field.prevent(Input.Changed):
+            self._field.value = pane.arrangement.typed
+        self._typed_at = time.monotonic()
+        self._show(pane, "")
+        self.open(self._field)
+
+    @on(Input.Changed)
+    def _typed(self, event: Input.Changed) -> None:
+        event.stop()
+        if self.is_open:  # else it comes from a field that is already left
+            self._apply(event.value)
+
+    def _apply(self, typed: str) -> None:
+        if self._pane is not None and typed != self._pane.arrangement.typed:
+            self._pane.arrangement.typed = typed
+            self._typed_at = time.monotonic()
+            self._show(self._pane, typed)
+
+    @property
+    def goes_first(self) -> bool:
+        """Tell whether the other panes have to wait: the next letter may come any moment, and a tick of
+        hundreds of robots takes the time of a frame."""
+        return self.is_open and time.monotonic() - self._typed_at < PAUSE and not self._pace.is_due()
+
+    def _move(self, step: int) -> None:
+        self._apply(self._field.value)
+        if self._pane is not None:
+            self._pane.move(step)
+
+    def _keep(self) -> None:
+        """Keep the filter, and go to the row that it found."""
+        # The last letters may not have been applied yet.
+        self._apply(self._field.value)
+        if self._pane is not None:
+            self._before = self._pane
+            self._pane.pick()
+        super().action_close()
+
+    def action_close(self) -> None:
+        """Clear the filter, and restore the focus."""
+        self._apply("")
+        super().action_close()
+
+    def on_hide(self) -> None:
+        """Note that nothing is typed any more, whatever closed it."""
+        if self._pane is not None:
+            self._pane.arrangement.is_typing = False
+
+
+class Outcomes(Static):
+    """Over the tables, without the focus: keys go on to where they went."""
+
+    def __init__(self, state: Callable[[], FleetState]) -> None:
+        super().__init__(id="outcomes", markup=False)
+        self.border_title = tr("Outcomes")
+        self.border_subtitle = tr("marks cleared, Esc closes")
+        self._state = state
+        self._told: Sequence[tuple[Command, str]] = ()
+        self._since = 0.0
+        self._ends = math.inf
+        self.display = False
+
+    def show(self, told: Sequence[tuple[Command, str]], since: float) -> None:
+        """Show the outcome of each of these commands, sent from `since` (monotonic) on, or the reason that it
+        was not sent."""
+        self._told = told
+        self._since = since
+        self._ends = math.inf
+        self.display = True
+        self.look()
+
+    def close(self) -> bool:
+        """Close it; False if it was not open."""
+        was_open, self.display = self.display, False
+        return was_open
+
+    def look(self) -> None:
+        """Show the newest stage of each, and close when all have been known for a while."""
+        if not self.display:
+            return
+        state, now = self._state(), monotonic()
+        records = [
+            None if problem else _record(state, command, self._since) for command, problem in self._told
+        ]
+        if all(record is None or record.is_decided for record in records):
+            self._ends = min(self._ends, now + STAYS)
+        if now >= self._ends or self._is_outdated(state):
+            self.display = False
+            return
+        told = zip(self._told, records, strict=True)
+        lines = [_line(state, command, problem, record) for (command, problem), record in told]
+        more = [tr(f"and {len(lines) - SHOWN} more: L has all")] if len(lines) > SHOWN else []
+        text = "\n".join([*lines[:SHOWN], *more])
+        if text != self.content:
+            self.update(text)
+
+    def _is_outdated(self, state: FleetState) -> bool:
+        """Tell whether another command was given since."""
+        told = [command for command, _ in self._told]
+        return any(one.issued_at >= self._since and one.command not in told for one in state.commands)
+
+
+def _record(state: FleetState, command: Command, since: float) -> CommandRecord | None:
+    """Return the newest record of a command given from `since` (monotonic) on."""
+    found = (record for record in reversed(state.commands) if record.command == command)
+    return next((record for record in found if record.issued_at >= since), None)
+
+
+def _line(state: FleetState, command: Command, problem: str, record: CommandRecord | None) -> str:
+    text = command_text(state, command)
+    if record is None:
+        return f"{text}: {tr(sanitize(problem)) or tr('sending')}"
+    return f"{text}: {stage_text(record, state.now)}{detail_text(tr(sanitize(record.detail)))}"

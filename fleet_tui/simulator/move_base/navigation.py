@@ -1,6 +1,7 @@
 """The move_base node of one robot: accepts goals and drives the robot. Pure."""
 
 import math
+import random
 from collections import deque
 from itertools import count
 from typing import Any
@@ -9,13 +10,14 @@ from fleet_tui.model.geometry import Pose
 from fleet_tui.simulator.logs import ERROR, WARN
 from fleet_tui.simulator.navigating.poses import FRAME, flat, solid
 from fleet_tui.simulator.navigating.robot import NO_PROGRESS, TAKEN_OVER, NavigatingRobot
-from fleet_tui.simulator.navigating.world import Clock
+from fleet_tui.simulator.navigating.world import Clock, NavigatingWorld
 from fleet_tui.simulator.ros.actionlib import (
     ABORTED,
     PREEMPTED,
     PREEMPTING,
     SUCCEEDED,
     ActionlibGoal,
+    GoalReport,
     SimpleActionServer,
 )
 
@@ -32,6 +34,9 @@ NO_PLAN = "Failed to find a valid plan. Even after executing recovery behaviors.
 NO_CONTROL = "Failed to find a valid control. Even after executing recovery behaviors."
 INVALID = "Aborting on goal because it was sent with an invalid quaternion"
 REACHED = "Goal reached."
+
+
+GIGA = 10**9
 
 
 class SimMoveBase:
@@ -192,3 +197,33 @@ def _nanoseconds(time: Message) -> int:
 
 def _time(nanoseconds: int) -> Message:
     return {"secs": nanoseconds // 10**9, "nsecs": nanoseconds % 10**9}
+
+
+def goal_status(status: GoalReport) -> Message:
+    """actionlib_msgs/GoalStatus."""
+    stamp = {"secs": status.stamp // GIGA, "nsecs": status.stamp % GIGA}
+    return {"goal_id": {"stamp": stamp, "id": status.id}, "status": status.status, "text": status.text}
+
+
+def statuses(listed: list[GoalReport], header: Message) -> Message:
+    """actionlib_msgs/GoalStatusArray."""
+    return {"header": header, "status_list": [goal_status(status) for status in listed]}
+
+
+def result(status: GoalReport, header: Message) -> Message:
+    """move_base_msgs/MoveBaseActionResult."""
+    return {"header": header, "status": goal_status(status), "result": {}}
+
+
+def feedback(status: GoalReport, robot: NavigatingRobot, header: Message, at: Message) -> Message:
+    """move_base_msgs/MoveBaseActionFeedback; `at` is the header of the robot's pose."""
+    position = {"header": at, "pose": solid(robot.belief.of(robot.pose))}
+    return {"header": header, "status": goal_status(status), "feedback": {"base_position": position}}
+
+
+class MoveBaseWorld(NavigatingWorld[SimMoveBase]):
+    """`robots` robots on `floors` floors, as in NavigatingWorld."""
+
+    def navigate(self, robot: NavigatingRobot, ids: random.Random, clock: Clock) -> SimMoveBase:
+        """Make the navigation stack of a robot."""
+        return SimMoveBase(robot, clock)

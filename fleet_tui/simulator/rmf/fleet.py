@@ -1,21 +1,31 @@
 """The fleets of a hospital as the bridge sees them."""
 
+import io
 import json
+import random
 import time
 from collections import deque
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
+import numpy as np
+from PIL import Image
+
 from fleet_tui.simulator.fleets import Line
+from fleet_tui.simulator.floorplan import FREE, HEIGHT, OCCUPIED, ORIGIN, RESOLUTION
 from fleet_tui.simulator.frames import Payload
 from fleet_tui.simulator.logs import HEALTHY, entry
 from fleet_tui.simulator.messages import Topic
-from fleet_tui.simulator.rmf import messages
+from fleet_tui.simulator.rmf.dispatcher import SimDispatch, SimDispatcher
+from fleet_tui.simulator.rmf.lifts import DOORS, MOVING, OPEN, SimDoor, SimLift
+from fleet_tui.simulator.rmf.member import SimMember
 from fleet_tui.simulator.rmf.naming import FLEETS
-from fleet_tui.simulator.rmf.world import RmfWorld
+from fleet_tui.simulator.rmf.tasks import SimTask
+from fleet_tui.simulator.robot import STEP, robot_numbers
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.ros.goals import ActionServer, ServedGoal
 from fleet_tui.simulator.ros_types import ServiceType
+from fleet_tui.simulator.warehouse import Building, SimFloor, build_building
 
 Message = dict[str, Any]
 
@@ -28,7 +38,7 @@ DISPATCHES = "/dispatch_states"
 GRAPHS = "/nav_graphs"
 MAP = "/map"
 LIFTS = "/lift_states"
-DOORS = "/door_states"
+DOOR_STATES = "/door_states"
 DISPENSERS = "/dispenser_states"
 INGESTORS = "/ingestor_states"
 LANES = "/lane_states"
@@ -40,12 +50,93 @@ TYPES = {
     DISPATCHES: "rmf_task_msgs/DispatchStates",
     RESPONSES: "rmf_task_msgs/ApiResponse",
     LIFTS: "rmf_lift_msgs/LiftState",
-    DOORS: "rmf_door_msgs/DoorState",
+    DOOR_STATES: "rmf_door_msgs/DoorState",
     DISPENSERS: "rmf_dispenser_msgs/DispenserState",
     INGESTORS: "rmf_ingestor_msgs/IngestorState",
 }
 TASKS_KEPT = 10
 RESPONDING = 2
+
+
+class RmfWorld:
+    """`robots` robots in `fleets` on `floors` floors, their numbers from `first` on, each `step`th.
+
+    `quiet`: no tasks of other clients, no obstacles. `millis`: the wall clock in milliseconds.
+    """
+
+    def __init__(
+        self,
+        robots: int,
+        floors: int,
+        seed: int = 0,
+        quiet: bool = False,
+        first: int = 0,
+        step: int = 1,
+        fleets: tuple[str, ...] = FLEETS,
+        millis: Callable[[], int] = lambda: 0,
+    ) -> None:
+        self._rng = random.Random(seed)
+        self._quiet = quiet
+        self.fleets = fleets
+        self.building = build_building(floors)
+        members = (self._new_member(*one) for one in enumerate(robot_numbers(robots, first, step)))
+        self.robots = {member.name: member for member in members}
+        self.dispatcher = SimDispatcher(self.robots, millis)
+        self.lift = SimLift(self.building)
+        self.doors = [
+            SimDoor(name, floor.name, spot) for floor in self.building.floors for name, spot in DOORS.items()
+        ]
+        self.closed_lanes: list[int] = []
+        """The numbers of closed edges, alike for all fleets."""
+        self.offline = set[str]()
+        """Dispensers and ingestors that are offline."""
+        self.troubles: list[Callable[[float], None]] = []
+        self._owed = 0.0
+        self._next = 3.0
+        self._given = 0
+
+    def _new_member(self, turn: int, index: int) -> SimMember:
+        """Robots start in turn on all floors, spread over the vertices."""
+        row, number = divmod(index, len(self.building.floors))
+        vertices = tuple(self.building.floors[number].graph.vertices)
+        vertex = vertices[(13 * row + 3 * number) % len(vertices)]
+        return SimMember(turn, index, self.building, vertex, self._rng, self._quiet, self.fleets)
+
+    def step(self, dt: float) -> None:
+        """Let dt seconds pass, in steps of fixed length; a remainder waits for the next call."""
+        self._owed += dt
+        while self._owed > STEP - 1e-9:
+            self._owed -= STEP
+            for member in self.robots.values():
+                member.live()
+            self.dispatcher.step(STEP)
+            self.lift.step(self.robots, self.building)
+            for door in self.doors:
+                door.step(self.robots, STEP)
+            for trouble in self.troubles:
+                trouble(STEP)
+            if not self._quiet:
+                self._employ()
+
+    def _employ(self) -> None:
+        """Give an idle robot a task now and then, as another client would."""
+        self._next -= STEP
+        if self._next > 0.0:
+            return
+        self._next = self._rng.uniform(10.0, 25.0)
+        second = [*self.robots.values()][1::2]
+        idle = [member for member in second if not member.tasks]
+        if idle:
+            member = self._rng.choice(idle)
+            self._given += 1
+            places = tuple(self._rng.sample(sorted(member.places), 2))
+            member.assign(SimTask(f"patrol.web-{self._given}", places, "rmf-web"))
+
+
+BOTH_WAYS = 0
+STRING = 1
+BOOL = 4
+"""Types of a parameter."""
 
 
 class RmfFleet(RmfWorld):
@@ -83,13 +174,13 @@ class RmfFleet(RmfWorld):
         yield Topic(TASKS, text, lambda _: nothing, latched=True, history=lambda: list(self._last_tasks))
         updates = self._last_updates
         yield Topic(UPDATES, text, lambda _: nothing, latched=True, history=lambda: list(updates.values()))
-        graphs = [Payload(messages.nav_graph(fleet, self.building)) for fleet in self.fleets]
+        graphs = [Payload(nav_graph(fleet, self.building)) for fleet in self.fleets]
         type_ = dialect.message_type("rmf_building_map_msgs/Graph")
         yield Topic(GRAPHS, type_, lambda _: graphs[0], latched=True, history=lambda: graphs)
 
         type_ = dialect.message_type("rmf_fleet_msgs/LaneStates")
         yield Topic(LANES, type_, lambda _: Payload({}), latched=True, history=self._lanes)
-        building = Payload(messages.building_map(self.building))
+        building = Payload(building_map(self.building))
         type_ = dialect.message_type("rmf_building_map_msgs/BuildingMap")
         yield Topic(MAP, type_, lambda _: building, latched=True)
 
@@ -113,7 +204,7 @@ class RmfFleet(RmfWorld):
         self._responses.clear()
         for member in self.robots.values():
             for task in member.changed:
-                update = messages.text({"type": "task_state_update", "data": task.state()})
+                update = text({"type": "task_state_update", "data": task.state()})
                 self._last_tasks.append(payload := Payload(update))
                 yield TASKS, payload
             member.changed.clear()
@@ -126,17 +217,17 @@ class RmfFleet(RmfWorld):
         self._seen |= {name: now for name, one in self.robots.items() if not one.silence}
         for fleet in self.fleets:
             members = [one for one in self.robots.values() if one.fleet == fleet]
-            yield STATES, Payload(messages.fleet_state(fleet, members, self._seen, dialect))
-            update = Payload(messages.fleet_update(fleet, members, _millis()))
+            yield STATES, Payload(fleet_state(fleet, members, self._seen, dialect))
+            update = Payload(fleet_update(fleet, members, _millis()))
             self._last_updates[fleet] = update
             yield UPDATES, update
-        yield DISPATCHES, Payload(messages.dispatches(self.dispatcher.active, self.dispatcher.finished))
+        yield DISPATCHES, Payload(dispatches(self.dispatcher.active, self.dispatcher.finished))
         stamp = dialect.time(now)
-        yield LIFTS, Payload(messages.lift_state(self.lift, stamp))
+        yield LIFTS, Payload(lift_state(self.lift, stamp))
         for door in self.doors:
-            yield DOORS, Payload(messages.door_state(door, stamp))
-        yield DISPENSERS, Payload(messages.work_state(PHARMACY, PHARMACY in self.offline, stamp))
-        yield INGESTORS, Payload(messages.work_state(RETURNS, RETURNS in self.offline, stamp))
+            yield DOOR_STATES, Payload(door_state(door, stamp))
+        yield DISPENSERS, Payload(work_state(PHARMACY, PHARMACY in self.offline, stamp))
+        yield INGESTORS, Payload(work_state(RETURNS, RETURNS in self.offline, stamp))
         if self.closed_lanes != self._told_lanes:
             self._told_lanes = list(self.closed_lanes)
             for payload in self._lanes():
@@ -169,3 +260,138 @@ class RmfFleet(RmfWorld):
 
 def _millis() -> int:
     return int(time.time() * 1000)
+
+
+def text(value: Message) -> Message:
+    """Return a std_msgs/String with JSON."""
+    return {"data": json.dumps(value)}
+
+
+def fleet_state(
+    fleet: str, members: Iterable[SimMember], seen: dict[str, float], dialect: Dialect
+) -> Message:
+    """Return a rmf_fleet_msgs/FleetState; `seen`: the time of each driver's last update."""
+    return {"name": fleet, "robots": [_member(one, dialect.time(seen[one.name])) for one in members]}
+
+
+def _member(one: SimMember, stamp: Message) -> Message:
+    place = {"t": stamp, "x": one.body.pose.x, "y": one.body.pose.y, "yaw": one.body.pose.yaw}
+    return {
+        "name": one.own_name,
+        "model": "",
+        "task_id": one.active.id if one.active else "",
+        "seq": 0,
+        "mode": {"mode": one.mode, "mode_request_id": 0, "performing_action": ""},
+        "battery_percent": one.body.battery,
+        "location": {**place, "level_name": one.body.floor.name, "index": 0},
+        "path": [],
+    }
+
+
+def fleet_update(fleet: str, members: Iterable[SimMember], millis: int) -> Message:
+    """Return a fleet_state_update. The adapter's clock goes on, whatever its robots do."""
+    robots = {one.own_name: _status(one, millis) for one in members}
+    return text({"type": "fleet_state_update", "data": {"name": fleet, "robots": robots}})
+
+
+def _status(one: SimMember, millis: int) -> Message:
+    pose = one.body.pose
+    return {
+        "name": one.own_name,
+        "status": "working" if one.active else "charging" if one.mode == 1 else "idle",
+        "task_id": one.active.id if one.active else "",
+        "unix_millis_time": millis,
+        "battery": one.body.battery / 100.0,
+        "location": {"map": one.body.floor.name, "x": pose.x, "y": pose.y, "yaw": pose.yaw},
+        "issues": one.issues,
+    }
+
+
+def dispatches(active: Sequence[SimDispatch], finished: Sequence[SimDispatch]) -> Message:
+    """Return a rmf_task_msgs/DispatchStates."""
+    return {"active": list(map(_dispatch, active)), "finished": list(map(_dispatch, finished))}
+
+
+def _dispatch(one: SimDispatch) -> Message:
+    task = one.task
+    assigned = {"is_assigned": bool(task.robot), "fleet_name": task.fleet, "expected_robot_name": task.robot}
+    return {"task_id": task.id, "status": one.status, "assignment": assigned, "errors": one.errors}
+
+
+def nav_graph(fleet: str, building: Building) -> Message:
+    """Return a rmf_building_map_msgs/Graph: the vertices of all levels, numbered through."""
+    ids = [id_ for floor in building.floors for id_ in floor.graph.vertices]
+    numbers = {id_: number for number, id_ in enumerate(ids)}
+    edges = [
+        {"v1_idx": numbers[one.start], "v2_idx": numbers[one.end], "params": [], "edge_type": BOTH_WAYS}
+        for one in building.graph.edges
+    ]
+    return {"name": fleet, "vertices": [_vertex(building, id_) for id_ in ids], "edges": edges, "params": []}
+
+
+def _vertex(building: Building, id_: int) -> Message:
+    floor = building.floor_of(id_)
+    spot, type_ = floor.graph.vertices[id_], floor.types[id_]
+    params = [_param("map_name", floor.name), _param("is_charger", type_ == "charger")]
+    if type_ == "elevator":
+        params.append(_param("lift", "lift_1"))
+    return {"x": spot.x, "y": spot.y, "name": floor.labels.get(id_, ""), "params": params}
+
+
+def _param(name: str, value: str | bool) -> Message:
+    is_text = isinstance(value, str)
+    words = {"value_string": value if is_text else "", "value_bool": False if is_text else value}
+    return {"name": name, "type": STRING if is_text else BOOL, "value_int": 0, "value_float": 0.0, **words}
+
+
+def building_map(building: Building) -> Message:
+    """Return a rmf_building_map_msgs/BuildingMap: a picture of each level, by its upper left corner."""
+    levels = [
+        {"name": floor.name, "elevation": 4.0 * number, "images": [_image(floor)]}
+        for number, floor in enumerate(building.floors)
+    ]
+    return {"name": "hospital", "levels": levels}
+
+
+def _image(floor: SimFloor) -> Message:
+    shades = np.where(floor.cells == FREE, 254, np.where(floor.cells == OCCUPIED, 0, 205)).astype(np.uint8)
+    file = io.BytesIO()
+    Image.fromarray(shades[::-1]).save(file, "PNG")
+    x, y = ORIGIN
+    return {
+        "name": floor.name,
+        "x_offset": x,
+        "y_offset": y + HEIGHT * RESOLUTION,
+        "yaw": 0.0,
+        "scale": RESOLUTION,
+        "encoding": "png",
+        "data": np.frombuffer(file.getvalue(), np.uint8),
+    }
+
+
+def lift_state(lift: SimLift, stamp: Message) -> Message:
+    """Return a rmf_lift_msgs/LiftState."""
+    is_moving = lift.floor != lift.destination
+    return {
+        "lift_time": stamp,
+        "lift_name": "lift_1",
+        "available_floors": lift.floors,
+        "current_floor": lift.floor,
+        "destination_floor": lift.destination,
+        "door_state": 0 if is_moving else OPEN if lift.session else 0,
+        "motion_state": MOVING if is_moving else 0,
+        "available_modes": "",
+        "current_mode": lift.mode,
+        "session_id": lift.session,
+    }
+
+
+def door_state(door: SimDoor, stamp: Message) -> Message:
+    """Return a rmf_door_msgs/DoorState."""
+    return {"door_time": stamp, "door_name": door.name, "current_mode": {"value": door.mode}}
+
+
+def work_state(name: str, is_offline: bool, stamp: Message) -> Message:
+    """Return a rmf_dispenser_msgs/DispenserState or a rmf_ingestor_msgs/IngestorState."""
+    mode = 2 if is_offline else 0
+    return {"time": stamp, "guid": name, "mode": mode, "request_guid_queue": [], "seconds_remaining": 0.0}

@@ -4,21 +4,26 @@ As on the real bridge the client gets no reply to an invalid operation.
 """
 
 import asyncio
+import json
 import sys
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from contextlib import suppress
+from typing import Any
 
 import msgspec
 from websockets.asyncio.server import ServerConnection
 from websockets.exceptions import ConnectionClosed
 
-from fleet_tui.simulator.frames import Frame
+from fleet_tui.simulator.frames import Frame, to_json
 from fleet_tui.simulator.ros.errors import BridgeError
 from fleet_tui.simulator.sessions.client import Client
-from fleet_tui.simulator.sessions.fragments import Assembler, split
 from fleet_tui.simulator.sessions.operations import Operation, problem_of
 from fleet_tui.simulator.sessions.outbox import COMPRESSIONS, ClientSubscription, SubscribeRequest
 from fleet_tui.simulator.topics import TopicDesk
+
+UNFINISHED = 100  # messages of one client that may be incomplete at a time
+
+_RESPONSE = '{"op":"service_response"'
 
 
 class Session:
@@ -161,3 +166,38 @@ class Session:
             return [frame]
         size = min(self.client.fragment_size, self._bridge.max_message_size or sys.maxsize)
         return split(frame, size, self._bridge.dialect.fragment_id)
+
+
+def split(text: str, size: int, default_id: int | str) -> Iterator[str]:
+    """Split a text into frames of at most `size` characters each; a shorter one is returned whole. A fragment
+    has the id of the message, if it has one."""
+    if len(text) <= size:
+        yield text
+        return
+    own = json.loads(text).get("id") if text.startswith(_RESPONSE) else None
+    id_ = default_id if own is None else own
+    total = -(-len(text) // size)
+    for number in range(total):
+        data = text[number * size : (number + 1) * size]
+        yield to_json({"op": "fragment", "id": id_, "data": data, "num": number, "total": total})
+
+
+class Assembler:
+    """Reassembles a client's fragments."""
+
+    def __init__(self) -> None:
+        self._parts: dict[object, dict[int, str]] = {}
+
+    def add(self, fragment: dict[str, Any]) -> str | None:
+        """Take a fragment; the whole text with the last one."""
+        id_, number, total = fragment["id"], fragment["num"], fragment["total"]
+        if not 0 <= number < total:
+            return None
+        parts = self._parts.setdefault(id_, {})
+        parts[number] = fragment["data"]
+        if len(parts) < total:
+            if len(self._parts) > UNFINISHED:
+                del self._parts[next(iter(self._parts))]
+            return None
+        del self._parts[id_]
+        return "".join(parts[i] for i in sorted(parts))

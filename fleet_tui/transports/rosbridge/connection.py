@@ -6,18 +6,22 @@ read binary frames and prints errors on stderr.
 """
 
 import asyncio
+import hashlib
 import logging
+import platform
 import random
+import secrets
 import ssl
-from typing import Any
+import time
+from typing import Any, Protocol
 
-from fleet_tui.config.access import hidden
+import msgspec
+
+from fleet_tui.config.access import hidden, secret
 from fleet_tui.config.schema import Link
 from fleet_tui.errors import FleetError, LinkError
-from fleet_tui.transports.listener import Listener
 from fleet_tui.transports.loop import network_loop
 from fleet_tui.transports.reasons import refusal
-from fleet_tui.transports.rosbridge.credentials import Credentials
 from fleet_tui.transports.rosbridge.library import comm_asyncio, roslibpy
 from fleet_tui.transports.rosbridge.reasons import ended, failed_handshake
 from fleet_tui.transports.tls import tls_context
@@ -35,6 +39,32 @@ PING_INTERVAL = PING_TIMEOUT = 3.0
 AT_ONCE = 1.0
 # Bytes kept of a message that is too large: enough to identify its topic.
 HEAD = 1000
+
+
+class Listener(Protocol):
+    """Receives the events of a connection. Everything is called on the network loop."""
+
+    def on_connecting(self) -> None:
+        """A connection attempt has begun."""
+
+    def on_open(self) -> None:
+        """Frames can be sent."""
+
+    def on_lost(self, reason: str, next_try_in: float) -> None:
+        """Take the loss of the connection; the next try is in `next_try_in` seconds."""
+
+    def on_frame(self, payload: bytes, is_binary: bool) -> None:
+        """A frame arrived."""
+
+    def on_sent(self, payload: bytes) -> None:
+        """A frame was sent."""
+
+    def on_too_large(self, head: bytes, is_binary: bool, size: int) -> None:
+        """A message of `size` bytes was dropped; `head` is its beginning."""
+
+
+# Seconds of the requested session. rosauth checks it only once, when the connection begins.
+SESSION = 86_400
 
 
 class _OwnLoop(comm_asyncio.AsyncioEventLoopManager):  # type: ignore[misc]  # roslibpy has no types
@@ -253,3 +283,37 @@ class Connection(roslibpy.Ros):  # type: ignore[misc]  # roslibpy has no types
         if proto is not None:
             proto._manual_disconnect = True
             proto.sendClose()
+
+
+def auth(secret: str, client: str, dest: str, rand: str, now: int) -> bytes:
+    """Return the frame that proves to a rosauth server, at Unix second `now`, that we know its secret.
+
+    Source: ROSBRIDGE_PROTOCOL.md (auth) and rosauth's ros_mac_authentication: SHA-512 over the secret and the
+    fields as they are sent.
+    """
+    level, end = "operator", now + SESSION
+    mac = hashlib.sha512(f"{secret}{client}{dest}{rand}{now}{level}{end}".encode()).hexdigest()
+    fields = {"mac": mac, "client": client, "dest": dest, "rand": rand, "t": now, "level": level, "end": end}
+    return msgspec.json.encode({"op": "auth", **fields})
+
+
+class Credentials:
+    """The secrets of one link, as of the last attempt."""
+
+    def __init__(self, bridge: Link) -> None:
+        self._bridge = bridge
+        self._rosauth = ""
+        self.headers: dict[str, str] = {}
+
+    def read(self) -> None:
+        """Read them again: they may have been renewed. Raises ConfigError."""
+        authorization = secret(self._bridge, "authorization")
+        self.headers = {"Authorization": authorization} if authorization else {}
+        self._rosauth = secret(self._bridge, "rosauth")
+
+    def frame(self, host: str) -> bytes:
+        """Return the first frame of a connection, empty if the bridge needs none."""
+        if not self._rosauth:
+            return b""
+        rand, now = secrets.token_hex(16), int(time.time())
+        return auth(self._rosauth, platform.node(), host, rand, now)

@@ -1,16 +1,37 @@
 """The pages of help: tasks, keys, the legend, typed commands."""
 
+import math
 from collections.abc import Collection, Mapping, Sequence
+from dataclasses import replace
+from functools import lru_cache
+
+import numpy as np
 
 from fleet_tui.keys import KEYS, Pane, outdone
+from fleet_tui.model.alarm import AlarmStage
+from fleet_tui.model.geometry import Line, MapFrame, Pose
+from fleet_tui.model.graph import Role
+from fleet_tui.model.history.facts import Activity
 from fleet_tui.model.kind import GOAL, LOCALISE, MAP_SAVE, MAPPING, POSE, SETTLE, Kind
+from fleet_tui.model.occupancy import FREE, OCCUPIED, UNKNOWN, Classes, build_grid
 from fleet_tui.text.language import tr
-from fleet_tui.view.help.legend import legend
 from fleet_tui.view.help.section import HelpRow, HelpSection, key_row, translated
 from fleet_tui.view.help.synonyms import SYNONYMS
-from fleet_tui.view.help.tasks import ROBOTS, tasks
+from fleet_tui.view.history.bars import BARS
+from fleet_tui.view.lines.time import MARKS, MarkKind
+from fleet_tui.view.map.camera import DOTS_X, DOTS_Y, Camera
+from fleet_tui.view.map.glyphs import robot_glyph
 from fleet_tui.view.map.layers import MapOptions
+from fleet_tui.view.map.picture import backdrop, picture
+from fleet_tui.view.map.placing.crowds import LEAST
+from fleet_tui.view.map.robots import FEW
+from fleet_tui.view.map.scene import Mission, Scene, SceneRobot, SceneVertex
 from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.tables.alarms import SIGNS
+from fleet_tui.view.tables.doing import word
+from fleet_tui.view.tables.fleet import CARGO
+from fleet_tui.view.tables.listing import CURSOR
+from fleet_tui.view.tables.missions import FOREIGN
 from fleet_tui.view.tables.table import Button, Run, width_of
 
 Pages = Mapping[str, Sequence[HelpSection]]
@@ -75,6 +96,90 @@ NOTES = (
 )
 
 
+CELLS = 10
+"""Width of a sign drawn by the map."""
+_WIDTH = CELLS * DOTS_X
+_HEIGHT = DOTS_Y
+_FRAME = MapFrame(1.0, _WIDTH, _HEIGHT)
+_CAMERA = Camera(_WIDTH / 2, _HEIGHT / 2, 1.0, CELLS, 1, (_WIDTH, _HEIGHT))
+_AT = (1.0, 2.0)  # in the first cell
+_WAY: tuple[Line, ...] = ((1.0, 2.0, _WIDTH - 1.0, 2.0),)
+_ROBOT = SceneRobot("robot_4", 4, Pose(*_AT))
+_BESIDE = SceneRobot("robot_5", 5, Pose(5.0, 2.0))
+_ELSEWHERE = SceneRobot("robot_5", 5, Pose(-1.0, -1.0))
+
+
+Step = tuple[tuple[str, ...], str]
+"""The ids of the keys of a step, and their effect."""
+
+ROBOTS = tuple(f"robot_{number}" for number in range(1, 10))
+"""The ids of the keys that select a robot by its number."""
+ROBOT_STEPS = ("next_robot_plain", "previous_robot_plain", "next_robot", "previous_robot")
+FLOOR_STEPS = ("next_floor_plain", "previous_floor_plain", "next_floor", "previous_floor")
+ORDERING = "Send an order"
+TASKS: dict[str, tuple[Step, ...]] = {
+    ORDERING: (
+        (("order",), "Order form: From, Enter, To, Enter"),
+        (("map_cursor", "pick"), "Map cursor; Enter orders from there"),
+        (("goal",), "Send the robot to any point"),
+        (("simple",), "Simple interface: large buttons"),
+        (("palette",), "Typed: robot_0 Base > Store"),
+    ),
+    "Stop a robot": (
+        (("pause",), "Pause the selected robot"),
+        (("resume", "resume_all"), "Resume it; resume all (asks)"),
+        (("pause_all", "pause_all_anywhere"), "Pause all robots (no safety device)"),
+        (("cancel",), "Cancel order at the queue cursor"),
+        (("clear",), "Clear all orders of the robot"),
+    ),
+    "Choose a robot or a floor": (
+        ((*ROBOT_STEPS, *ROBOTS), "Next, previous robot; by number"),
+        (("next_trouble",), "Next robot with an alarm"),
+        (FLOOR_STEPS, "Next, previous floor"),
+        (("palette",), "A robot, place or floor by name"),
+    ),
+    "See what is wrong": (
+        (("why",), "Why the robot is not moving"),
+        (("robot_page",), "The robot's page: values, ages"),
+        (("acknowledge", "acknowledge_all"), "Acknowledge this alarm; all alarms"),
+        (("all_orders",), "Orders of this robot, or of all"),
+        (("diagnostics",), "Diagnostics: links, topics, logs"),
+        (("bundle",), "Pack an incident for a ticket"),
+    ),
+    "Look back in time": (
+        (("audit", "history"), "Audit log; history of the robots"),
+        (("palette",), "Type record, for fleet-tui replay"),
+    ),
+    "Look around on the map": (
+        (("zoom_in", "zoom_out", "fit"), "Zoom in, out, fit (mouse wheel)"),
+        (("pan_left", "pan_right", "pan_up", "pan_down"), "Pan (mouse drag)"),
+        (("follow", "centre"), "Follow, or centre on the robot"),
+        (("edges", "labels", "trails"), "Show edges, labels, trails"),
+        (("laser", "path"), "Show laser scan, planned path"),
+        (("next_vertex", "previous_vertex"), "Next, previous labelled vertex"),
+    ),
+    "Set up a site": (
+        (("edit",), "Draw the route graph"),
+        (("pose",), "Set the robot's pose"),
+        (("mapping",), "Mapping: on, off, save the map"),
+        (("drive",), "Drive the robot by hand"),
+        (("camera",), "Look through the robot's camera"),
+        (("programs",), "Programs of the robot servers"),
+        (("routines",), "Routines: instructions from a file"),
+    ),
+    "Get around": (
+        (("next_pane",), "Next pane"),
+        (("enlarge",), "Enlarge the pane; once more: back"),
+        (("menu",), "Menu of a row in a table"),
+        (("filter_rows",), "Filter the table by what you type"),
+        (("mark_row",), "Mark rows: a command goes to all"),
+        (("palette",), "Any action, found by typing"),
+        (("back",), "One level back"),
+        (("quit",), "Quit"),
+    ),
+}
+
+
 def help_pages(
     keys: Mapping[str, tuple[str, ...]],
     pane: Pane,
@@ -137,3 +242,176 @@ def tabs(pages: Pages, shown: str) -> tuple[list[Run], list[Button]]:
         runs.append((text, StyleRole.TITLE_FOCUSED if is_shown else StyleRole.DIM))
         buttons.append(Button(start, width_of(runs), name))
     return runs, buttons
+
+
+def _ground(kind: int) -> Classes:
+    """Return free ground, in the middle of another kind."""
+    classes = np.full((_HEIGHT, _WIDTH), FREE, np.uint8)
+    classes[1:3] = kind
+    return classes
+
+
+_FLOOR = Scene("", _FRAME, build_grid(_FRAME, _ground(FREE)))
+_MAPS = (
+    (replace(_FLOOR, grid=build_grid(_FRAME, _ground(OCCUPIED))), "a wall or another obstacle of the map"),
+    (_FLOOR, "free floor"),
+    (replace(_FLOOR, grid=build_grid(_FRAME, np.full_like(_ground(FREE), UNKNOWN))), "unknown ground"),
+)
+
+
+def _robots(*robots: SceneRobot) -> Scene:
+    return replace(_FLOOR, robots=robots)
+
+
+_ROBOTS = (
+    (_robots(_ROBOT), "a robot: its heading and number"),
+    (_robots(_ROBOT, _BESIDE, *[_ELSEWHERE] * FEW), "too close to another robot: its number alone"),
+    (_robots(*[_ROBOT] * LEAST), "robots near each other in a crowd: how many"),
+    (_robots(_ROBOT._replace(selected=True)), "the selected robot"),
+    (_robots(_ROBOT._replace(cargo=True)), "with cargo on board"),
+    (
+        _robots(_ROBOT._replace(waits=True)),
+        "! at an obstacle for over 10 s, or waiting with an order for over 30 s: amber, no alarm yet",
+    ),
+    (_robots(_ROBOT._replace(alarmed=True)), "! with an alarm, red until it is acknowledged"),
+    (_robots(_ROBOT._replace(paused=True)), "paused"),
+    (_robots(_ROBOT._replace(jumped=True)), "its pose has just jumped, or is inside a wall or off the map"),
+    (_robots(_ROBOT._replace(estimated=True)), "estimated: it reports no position, only its last node"),
+    (_robots(_ROBOT._replace(other_map=True)), "its own map differs from the one shown"),
+    (_robots(_ROBOT._replace(online=False, age=95.0)), "offline, with the age of its last message"),
+    (_robots(_ROBOT._replace(pose=Pose(9.0, 2.0), size=(7.0, 3.0))), "zoomed in: its outline to scale"),
+)
+
+
+def _vertex(label: str = "", role: Role = Role.PLAIN, target: bool = False) -> Scene:
+    vertices = (SceneVertex("7", *_AT, role, label),)
+    return replace(_FLOOR, vertices=vertices, target_vertices=("7",) if target else ())
+
+
+_PLACES = (
+    (_vertex("Base"), "a vertex with its label"),
+    (_vertex("Base", target=True), "start or end of the selected robot's order"),
+    (_vertex(), "a vertex without a label"),
+    (_vertex("Dock", Role.DOCKING), "a docking station"),
+    (_vertex("Lift", Role.ELEVATOR), "an elevator"),
+)
+
+
+def _trail(age: float) -> Scene:
+    return replace(_FLOOR, trail=np.array([(x, 2.0, age) for x in range(1, _WIDTH, 2)], np.float64))
+
+
+_LINES = (
+    (replace(_FLOOR, mission=Mission(current=_WAY)), "the way of the selected robot's order"),
+    (replace(_FLOOR, mission=Mission(following=_WAY)), "the way of its next orders"),
+    (replace(_FLOOR, edges=_WAY), "an edge of the route graph"),
+    (replace(_FLOOR, edges=_WAY, one_way=_WAY), "a one-way edge"),
+    (replace(_FLOOR, blocked=_WAY), "an edge that may be blocked: a robot with an alarm is held up on it"),
+    (replace(_FLOOR, closed=_WAY), "a closed edge"),
+    (_trail(5.0), "trail of the last half minute"),
+    (_trail(45.0), "trail, up to a minute old"),
+)
+
+
+NEW_ALARM = "alarm that waits for an acknowledgement; robot with an alarm"
+SUPPRESSED = "alarms that another one stands for: of its group, or of its link"
+
+
+def _tables() -> tuple[HelpRow, ...]:
+    alarm, text = StyleRole.ALARM, StyleRole.TEXT
+    signs = {stage: tr(sign) for stage, sign in SIGNS.items()}
+    marks = {
+        CURSOR: (StyleRole.ACCENT, "cursor of the table"),
+        "●": (StyleRole.GOOD, "online; in the status line: the link is up"),
+        "○": (alarm, "offline, or no link"),
+        CARGO: (text, "cargo on board"),
+        signs[AlarmStage.UNACKNOWLEDGED]: (alarm, NEW_ALARM),
+        signs[AlarmStage.ACKNOWLEDGED]: (
+            text,
+            "acknowledged alarm that still holds; robot with such an alarm",
+        ),
+        signs[AlarmStage.RETURNED]: (StyleRole.DIM, "alarm that is over, not acknowledged"),
+        signs[AlarmStage.SHELVED]: (StyleRole.DIM, "alarm put aside for a while; robot with such an alarm"),
+        f"▲ {tr('high')}": (StyleRole.ROBOT_ALARM, "priority of an alarm: high, medium (med), low"),
+        tr("suppressed"): (StyleRole.DIM, SUPPRESSED),
+        tr(FOREIGN.strip()): (text, "an order that another client gave: another console, the shell, RViz"),
+        tr("lost"): (alarm, "an order that the robot no longer lists, and that nobody saw end"),
+        MARKS[MarkKind.COMMAND][0]: (StyleRole.ACCENT, "recording: a command"),
+        MARKS[MarkKind.GAP][0]: (StyleRole.WARN, "recording: a gap"),
+        MARKS[MarkKind.ALARM][0]: (alarm, "recording: an alarm"),
+    }
+    return tuple(_row(((mark, role),), meaning) for mark, (role, meaning) in marks.items())
+
+
+STATES = {
+    Activity.DRIVING: "its pose changes",
+    Activity.WAITING: "it stands with an order, with the seconds of that: amber from 30 s on",
+    Activity.LOADING: "it stands at a stop of its order",
+    Activity.BLOCKED: "in contact with an obstacle, stopped by its navigation, or stuck with an order",
+    Activity.PAUSED: "by this console or, marked so, from elsewhere",
+    Activity.IDLE: "it stands, and no order of it is known",
+    Activity.CHARGING: "it is idle at a charger, and not full",
+    Activity.OFFLINE: "nothing received for too long, with the age of its last message",
+}
+
+
+def _states(look: MapOptions) -> tuple[HelpRow, ...]:
+    """Return what a robot does: its sign in the Activity pane, and its word everywhere."""
+    rows = []
+    for does, meaning in STATES.items():
+        glyph, letter, role = BARS[does]
+        mark = ((f"{letter if look.plain else glyph} ", role), (tr(does.value), StyleRole.TEXT))
+        rows.append(_row(mark, meaning))
+    unknown = "its pose or its orders are missing or old: its row says which"
+    return (*rows, _row(((word(None), StyleRole.TEXT),), unknown))
+
+
+def _headings(look: MapOptions) -> HelpRow:
+    poses = (Pose(0.0, 0.0, quarter * math.pi / 2) for quarter in range(4))
+    glyphs = (robot_glyph(_ROBOT._replace(pose=pose), 0.0, look.plain) for pose in poses)
+    return _row(((" ".join(glyphs), StyleRole.ROBOT),), "headings: right, up, left, down")
+
+
+def _row(mark: tuple[Run, ...], text: str) -> HelpRow:
+    """Return a row that its signs find; the ground below them is none."""
+    signs = {sign for part, role in mark for sign in part if role not in (StyleRole.FLOOR, StyleRole.CURSOR)}
+    return HelpRow(mark, text, tuple(sign for sign in signs if not sign.isalnum() and not sign.isspace()))
+
+
+def _drawn(scene: Scene, text: str, look: MapOptions) -> HelpRow:
+    """Return a row with a small picture of the map."""
+    cells = picture(backdrop(scene, _CAMERA, look), scene, _CAMERA, look)
+    return _row(tuple((part, StyleRole(role)) for part, role in cells.runs(0)), text)
+
+
+@lru_cache(maxsize=1)
+def legend(look: MapOptions) -> tuple[HelpSection, ...]:
+    """Return the legend in the drawing mode of the map."""
+    drawing = replace(look, edges=True, labels=True, trails=True, cursor=None, pointed=None)
+    sections = {"robots": _ROBOTS, "places": _PLACES, "lines": _LINES, "ground": _MAPS}
+    cursor = _drawn(_FLOOR, "the map cursor", replace(drawing, cursor=_AT))
+    drawn = {
+        name: tuple(_drawn(scene, text, drawing) for scene, text in rows) for name, rows in sections.items()
+    }
+    drawn["robots"] += (_headings(look),)
+    drawn["ground"] += (cursor,)
+    return (
+        *(HelpSection(f"Legend: {kind}, {look.drawing.value}", rows) for kind, rows in drawn.items()),
+        HelpSection("Legend: what a robot does", _states(look)),
+        HelpSection("Legend: tables and status line", _tables()),
+    )
+
+
+def tasks(keys: Mapping[str, tuple[str, ...]], hidden: Collection[str]) -> list[HelpSection]:
+    """Return the tasks with their keys as configured, the first of each id, without the `hidden` ones. Where
+    no order can be sent, no way to do so is offered."""
+    sections = []
+    away = {*hidden, *outdone(keys, hidden)}
+    for title, steps in TASKS.items():
+        if title == ORDERING and "order" in hidden:
+            continue
+        offered = [([id_ for id_ in ids if id_ not in away], text) for ids, text in steps]
+        rows = tuple(key_row(ids, text, keys, 1) for ids, text in offered if ids)
+        if rows:
+            sections.append(HelpSection(title, rows))
+    return sections

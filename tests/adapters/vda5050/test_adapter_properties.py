@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from fleet_tui.adapters.vda5050.topics import READ
 from fleet_tui.rules.why.why import reasons
-from fleet_tui.view.robot.vehicle import factsheet_rows, vehicle_rows
+from fleet_tui.view.robot.sections import factsheet_rows, vehicle_rows
 from fleet_tui.view.tables.news import news
 from tests.support.hostile_text import harmless
 from tests.support.vda_fleet import VehicleSite

@@ -1,10 +1,10 @@
-"""Tests of fleet_tui/adapters/vda5050/clock.py."""
+"""Tests of fleet_tui/adapters/vda5050/reading.py."""
 
 from datetime import UTC, datetime
 
 import pytest
 
-from fleet_tui.adapters.vda5050.clock import unix_second
+from fleet_tui.adapters.vda5050.reading import unix_second
 
 SECOND = datetime(2026, 1, 2, 3, 4, 5, tzinfo=UTC).timestamp()
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from fleet_tui.controllers.history.reading import PAGES, read_page
+from fleet_tui.controllers.history.controls import PAGES, read_page
 from fleet_tui.history.database import open_to_write, transaction
 from fleet_tui.history.writing import write
 from fleet_tui.keys import HISTORY_PAGES

@@ -1,4 +1,4 @@
-"""Tests of fleet_tui/rules/commands/shared_ways.py."""
+"""Tests of fleet_tui/rules/commands/masters.py."""
 
 from fleet_tui.config.load import from_text
 from fleet_tui.model import events

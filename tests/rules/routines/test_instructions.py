@@ -14,7 +14,7 @@ from fleet_tui.model.routines.blocks import (
     TimeSpan,
     WaitBlock,
 )
-from fleet_tui.rules.routines.instructions import RUN_WITHIN, condition, instruction, schedule
+from fleet_tui.rules.routines.parsing import RUN_WITHIN, condition, instruction, schedule
 
 
 def read(line: str) -> Leaf:

@@ -1,6 +1,6 @@
 """Times on the pages of the history."""
 
-from fleet_tui.screens.history.pages import long_moment
+from fleet_tui.screens.history.overlay import long_moment
 
 
 def test_a_long_moment_has_its_date() -> None:

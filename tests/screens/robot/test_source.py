@@ -4,7 +4,7 @@ from pathlib import Path
 
 from fleet_tui.audit.log import Audit
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.screens.robot.source import PageSource
+from fleet_tui.screens.robot.page import PageSource
 from fleet_tui.view.map.drawing import Drawing
 from tests.support.desk import CollectingBackend
 from tests.support.fleets import R0, T0, battery, fleet, link_up, pose, reduced, text_of, tick

@@ -4,8 +4,8 @@ from types import SimpleNamespace
 
 import pytest
 
-from fleet_tui.screens.tables import filter_line
-from fleet_tui.screens.tables.filter_line import ALL_EVERY
+from fleet_tui.screens.tables import tools
+from fleet_tui.screens.tables.tools import ALL_EVERY
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.widgets import pace
 from tests.support.console_pilot import Console, console
@@ -94,16 +94,14 @@ async def test_a_tick_waits_for_a_letter_but_not_for_long(
         typed_at = line._typed_at
         goes_first = []
         for seconds in (0.1, 0.2, 0.25, 0.31, 0.4):
-            monkeypatch.setattr(
-                filter_line, "time", SimpleNamespace(monotonic=lambda s=seconds: typed_at + s)
-            )
+            monkeypatch.setattr(tools, "time", SimpleNamespace(monotonic=lambda s=seconds: typed_at + s))
             monkeypatch.setattr(pace, "monotonic", lambda s=seconds: typed_at + s + ALL_EVERY)
             goes_first.append(line.goes_first)
         assert goes_first[1:] == [True, True, False, False], "once at first, then after a pause"
         ticked = list[object]()
         monkeypatch.setattr(it.app.main.panes, "show", lambda *shown: ticked.append(shown))
         for first, ticks in ((True, 0), (False, 1)):
-            monkeypatch.setattr(filter_line.FilterLine, "goes_first", first)
+            monkeypatch.setattr(tools.FilterLine, "goes_first", first)
             ticked.clear()
             it.app.main.tick()
             assert len(ticked) == ticks

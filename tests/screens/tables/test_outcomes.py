@@ -6,7 +6,7 @@ import pytest
 
 from fleet_tui.model.commands import Command, PauseRobot, Stage
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.screens.tables.outcomes import SHOWN, STAYS, Outcomes
+from fleet_tui.screens.tables.tools import SHOWN, STAYS, Outcomes
 from tests.support.fleets import R0, commanded, fleet, reduced, tick
 from tests.support.widget_app import WidgetApp
 
@@ -43,7 +43,7 @@ async def test_it_stays_while_one_is_open_and_leaves_a_while_after_the_last(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     clock = [time.monotonic()]
-    monkeypatch.setattr("fleet_tui.screens.tables.outcomes.monotonic", lambda: clock[0])
+    monkeypatch.setattr("fleet_tui.screens.tables.tools.monotonic", lambda: clock[0])
     states: list[FleetState] = [reduced(fleet(), *commanded(1, PAUSE, Stage.SENT, at=clock[0]))]
     outcomes = Outcomes(lambda: states[-1])
     async with WidgetApp(outcomes).run_test():

@@ -1,6 +1,6 @@
 """A world of robots with move_base."""
 
-from fleet_tui.simulator.move_base.world import MoveBaseWorld
+from fleet_tui.simulator.move_base.navigation import MoveBaseWorld
 
 
 def test_the_same_seed_gives_the_same_run_and_every_second_robot_is_driven() -> None:

@@ -1,7 +1,7 @@
 """Robots with Nav2 in words: goals as they begin and end, obstacles as they come and go."""
 
 from fleet_tui.simulator.logs import ERROR, INFO, WARN
-from fleet_tui.simulator.nav2.logs import Nav2Changes
+from fleet_tui.simulator.nav2.fleet import Nav2Changes
 from fleet_tui.simulator.nav2.world import Nav2World
 
 NODE = "/robot_0/bt_navigator"

@@ -5,8 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from fleet_tui.simulator.nav2 import route_server
-from fleet_tui.simulator.nav2.route_server import RouteServers
+from fleet_tui.simulator.nav2 import fleet
+from fleet_tui.simulator.nav2.fleet import RouteServers
 from fleet_tui.simulator.navigating.graph_file import write_graphs
 
 POINT = '{"properties": {"id": 1}, "geometry": {"type": "Point", "coordinates": [1.0, 2.0]}}'
@@ -61,6 +61,6 @@ def test_a_missing_file_a_pipe_and_a_large_one_are_refused(
     servers, pipe, large = RouteServers(), tmp_path / "pipe", tmp_path / "large.geojson"
     os.mkfifo(pipe)
     large.write_text(collection(POINT, line(1)))
-    monkeypatch.setattr(route_server, "LARGEST", 50)
+    monkeypatch.setattr(fleet, "LARGEST", 50)
     found = [servers.load("robot_0", str(path)) for path in (tmp_path / "none", tmp_path, pipe, large, "\0")]
     assert not any(found) and not servers.graphs

@@ -2,8 +2,7 @@
 
 from fleet_tui.model.geometry import Pose
 from fleet_tui.simulator.frames import Payload
-from fleet_tui.simulator.move_base.navigation import SimMoveBase
-from fleet_tui.simulator.move_base.world import MoveBaseWorld
+from fleet_tui.simulator.move_base.navigation import MoveBaseWorld, SimMoveBase
 from fleet_tui.simulator.navigating.news import News
 from fleet_tui.simulator.ros.ros1 import ROS1
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from fleet_tui.simulator.move_base.world import MoveBaseWorld
+from fleet_tui.simulator.move_base.navigation import MoveBaseWorld
 from fleet_tui.simulator.robot import LOW, STEP
 
 

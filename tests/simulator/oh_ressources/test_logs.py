@@ -8,7 +8,7 @@ import pytest
 from fleet_tui.simulator.faults import parse_faults
 from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.logs import DIAGNOSTICS, Talk
-from fleet_tui.simulator.oh_ressources.logs import Changes
+from fleet_tui.simulator.oh_ressources.fleet import Changes
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.fleets import WALL

@@ -3,7 +3,7 @@
 import math
 from typing import Any
 
-from fleet_tui.simulator.oh_ressources.set_up import SUBSCRIPTIONS
+from fleet_tui.simulator.oh_ressources.fleet import SUBSCRIPTIONS
 from fleet_tui.simulator.oh_ressources.world import World
 
 

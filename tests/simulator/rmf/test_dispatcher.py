@@ -6,8 +6,8 @@ from typing import Any
 import pytest
 
 from fleet_tui.simulator.rmf.dispatcher import BIDDING
+from fleet_tui.simulator.rmf.fleet import RmfWorld
 from fleet_tui.simulator.rmf.tasks import SimTask
-from fleet_tui.simulator.rmf.world import RmfWorld
 
 STORE = {"category": "patrol", "description": {"places": ["Store"], "rounds": 1}}
 DIRECT = {"type": "robot_task_request", "fleet": "tiny", "robot": "robot_0", "request": STORE}

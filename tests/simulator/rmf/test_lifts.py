@@ -1,8 +1,8 @@
 """Simulated lifts and doors follow robots."""
 
+from fleet_tui.simulator.rmf.fleet import RmfWorld
 from fleet_tui.simulator.rmf.lifts import CLOSED, OPEN
 from fleet_tui.simulator.rmf.tasks import SimTask
-from fleet_tui.simulator.rmf.world import RmfWorld
 
 
 def test_the_lift_goes_where_a_robot_rides() -> None:

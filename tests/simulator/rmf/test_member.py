@@ -1,8 +1,8 @@
 """A simulated robot drives the places of its tasks."""
 
+from fleet_tui.simulator.rmf.fleet import RmfWorld
 from fleet_tui.simulator.rmf.member import CHARGING, PAUSED, SimMember
 from fleet_tui.simulator.rmf.tasks import SimTask
-from fleet_tui.simulator.rmf.world import RmfWorld
 
 ONE = "tiny/robot_0"
 

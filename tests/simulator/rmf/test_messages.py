@@ -5,8 +5,8 @@ from typing import Any
 
 import pytest
 
-from fleet_tui.simulator.rmf import messages
-from fleet_tui.simulator.rmf.world import RmfWorld
+from fleet_tui.simulator.rmf import fleet
+from fleet_tui.simulator.rmf.fleet import RmfWorld
 from fleet_tui.simulator.ros.ros2 import ROS2
 
 WORLD = RmfWorld(2, 2, seed=1, quiet=True)
@@ -18,12 +18,12 @@ STAMP = {"sec": 7, "nanosec": 0}
 @pytest.mark.parametrize(
     ("type_", "message"),
     [
-        ("rmf_fleet_msgs/FleetState", messages.fleet_state("tiny", MEMBERS, SEEN, ROS2)),
-        ("rmf_task_msgs/DispatchStates", messages.dispatches([], [])),
-        ("rmf_building_map_msgs/Graph", messages.nav_graph("tiny", WORLD.building)),
-        ("rmf_building_map_msgs/BuildingMap", messages.building_map(WORLD.building)),
-        ("rmf_lift_msgs/LiftState", messages.lift_state(WORLD.lift, STAMP)),
-        ("rmf_door_msgs/DoorState", messages.door_state(WORLD.doors[0], STAMP)),
+        ("rmf_fleet_msgs/FleetState", fleet.fleet_state("tiny", MEMBERS, SEEN, ROS2)),
+        ("rmf_task_msgs/DispatchStates", fleet.dispatches([], [])),
+        ("rmf_building_map_msgs/Graph", fleet.nav_graph("tiny", WORLD.building)),
+        ("rmf_building_map_msgs/BuildingMap", fleet.building_map(WORLD.building)),
+        ("rmf_lift_msgs/LiftState", fleet.lift_state(WORLD.lift, STAMP)),
+        ("rmf_door_msgs/DoorState", fleet.door_state(WORLD.doors[0], STAMP)),
     ],
 )
 def test_each_has_the_fields_of_its_type(type_: str, message: dict[str, Any]) -> None:
@@ -31,6 +31,6 @@ def test_each_has_the_fields_of_its_type(type_: str, message: dict[str, Any]) ->
 
 
 def test_the_adapter_counts_charge_from_0_to_1() -> None:
-    data = json.loads(messages.fleet_update("tiny", MEMBERS, 5)["data"])["data"]
+    data = json.loads(fleet.fleet_update("tiny", MEMBERS, 5)["data"])["data"]
     assert data["robots"]["robot_0"]["battery"] == MEMBERS[0].body.battery / 100.0
     assert data["robots"]["robot_0"]["unix_millis_time"] == 5

@@ -1,6 +1,6 @@
 """The simulated hospital as a whole."""
 
-from fleet_tui.simulator.rmf.world import RmfWorld
+from fleet_tui.simulator.rmf.fleet import RmfWorld
 
 
 def test_robots_of_each_fleet_are_on_all_floors() -> None:

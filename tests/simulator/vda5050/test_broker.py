@@ -12,8 +12,7 @@ from fleet_tui.model.link import CommandPath
 from fleet_tui.model.order import Stop
 from fleet_tui.simulator.vda5050 import broker as brokers
 from fleet_tui.simulator.vda5050.broker import broker, free_port
-from fleet_tui.simulator.vda5050.clients import VehicleClient
-from fleet_tui.simulator.vda5050.serving import vehicles_of
+from fleet_tui.simulator.vda5050.serving import VehicleClient, vehicles_of
 from tests.support.broker import needs_mosquitto
 from tests.support.driven_time import TIME
 from tests.support.links import finished, linked

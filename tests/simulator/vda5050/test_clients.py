@@ -1,9 +1,9 @@
-"""Tests of fleet_tui/simulator/vda5050/clients.py: a vehicle on a broker."""
+"""Tests of fleet_tui/simulator/vda5050/serving.py: a vehicle on a broker."""
 
 import json
 from pathlib import Path
 
-from fleet_tui.simulator.vda5050.clients import VehicleClient
+from fleet_tui.simulator.vda5050.serving import VehicleClient
 from fleet_tui.simulator.vda5050.vehicle import SimVehicle
 from tests.support.broker import broker_in
 from tests.support.mqtt_peer import Peer

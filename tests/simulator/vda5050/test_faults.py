@@ -3,7 +3,7 @@
 import pytest
 
 from fleet_tui.simulator.vda5050.faults import FAULTS
-from fleet_tui.simulator.vda5050.messages import state
+from fleet_tui.simulator.vda5050.serving import state
 from fleet_tui.simulator.vda5050.vehicle import SimVehicle
 
 

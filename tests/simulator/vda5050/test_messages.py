@@ -1,8 +1,8 @@
-"""Tests of fleet_tui/simulator/vda5050/messages.py, by the published model of another library."""
+"""Tests of fleet_tui/simulator/vda5050/serving.py, by the published model of another library."""
 
 import pytest
 
-from fleet_tui.simulator.vda5050.messages import factsheet, header, state
+from fleet_tui.simulator.vda5050.serving import factsheet, header, state
 from fleet_tui.simulator.vda5050.vehicle import SimVehicle
 
 

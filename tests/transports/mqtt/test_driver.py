@@ -1,4 +1,4 @@
-"""Tests of fleet_tui/transports/mqtt/driver.py, against a real broker."""
+"""Tests of fleet_tui/transports/mqtt/session.py, against a real broker."""
 
 import asyncio
 from pathlib import Path
@@ -7,7 +7,7 @@ import pytest
 from msgspec.structs import replace
 
 from fleet_tui.config.schema import Link
-from fleet_tui.transports.mqtt import driver, session
+from fleet_tui.transports.mqtt import session
 from tests.support.broker import BrokerAccess, BrokerTls, broker_in, free_port
 from tests.support.broker_events import connecting
 from tests.support.certificates import sign
@@ -56,7 +56,7 @@ async def test_a_server_that_is_no_broker_is_named(tmp_path: Path) -> None:
 async def test_messages_are_gathered_but_an_answer_to_us_is_read_at_once(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(driver, "GATHER", 60.0)
+    monkeypatch.setattr(session, "GATHER", 60.0)
     monkeypatch.setattr(session, "BEAT_EVERY", 60.0)
     with broker_in(tmp_path) as broker:
         peer = Peer(broker.port, "in/#")

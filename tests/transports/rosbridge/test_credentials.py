@@ -8,7 +8,7 @@ import pytest
 from fleet_tui.config.access import hidden
 from fleet_tui.config.schema import Link
 from fleet_tui.errors import ConfigError
-from fleet_tui.transports.rosbridge.credentials import Credentials
+from fleet_tui.transports.rosbridge.connection import Credentials
 from tests.support.secrets import SHARED, WORD, kept
 
 

@@ -6,7 +6,7 @@ import json
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fleet_tui.transports.rosbridge.credentials import SESSION, auth
+from fleet_tui.transports.rosbridge.connection import SESSION, auth
 
 WORDS = st.text(st.characters(codec="ascii", categories=["L", "N"]), min_size=6, max_size=20)
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from fleet_tui.view.camera.rate import EVERY, SLOWEST, PictureRate
+from fleet_tui.view.camera.caption import EVERY, SLOWEST, PictureRate
 
 
 def run(rate: PictureRate, bytes_a_picture: int, pictures: int) -> None:

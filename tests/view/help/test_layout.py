@@ -3,8 +3,8 @@
 import pytest
 
 from fleet_tui.view.help.layout import THREE_FROM, TWO_FROM, help_lines
+from fleet_tui.view.help.pages import tasks
 from fleet_tui.view.help.section import HelpRow, HelpSection
-from fleet_tui.view.help.tasks import tasks
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import width_of
 from tests.support.fleets import text_of

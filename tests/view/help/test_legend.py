@@ -3,7 +3,7 @@
 import pytest
 
 from fleet_tui.model.history.facts import Activity
-from fleet_tui.view.help.legend import legend
+from fleet_tui.view.help.pages import legend
 from fleet_tui.view.help.section import search
 from fleet_tui.view.history.bars import BARS
 from fleet_tui.view.map.drawing import Drawing

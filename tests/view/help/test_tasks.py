@@ -2,8 +2,8 @@
 
 from fleet_tui.keymap import keymap
 from fleet_tui.keys import BY_ID
+from fleet_tui.view.help.pages import TASKS, tasks
 from fleet_tui.view.help.section import HelpSection
-from fleet_tui.view.help.tasks import TASKS, tasks
 from tests.support.fleets import text_of
 from tests.support.kinds import KEYS
 

@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.view.map.camera import Camera
-from fleet_tui.view.map.caption import Caption, caption_row
 from fleet_tui.view.map.drawing import Drawing
+from fleet_tui.view.map.map_picture import Caption, caption_row
 from fleet_tui.view.roles import StyleRole
 from tests.support.hostile_text import TEXTS
 

@@ -1,7 +1,7 @@
-"""Tests of fleet_tui/view/robot/vehicle.py: a vehicle's own lines on its page."""
+"""Tests of fleet_tui/view/robot/sections.py: a vehicle's own lines on its page."""
 
 from fleet_tui.situation.robots import NO_STATES, silence
-from fleet_tui.view.robot.vehicle import factsheet_rows, vehicle_rows
+from fleet_tui.view.robot.sections import factsheet_rows, vehicle_rows
 from fleet_tui.view.tables.news import news
 from tests.support.vda_fleet import VehicleSite
 from tests.support.vda_messages import error, message, state

@@ -4,8 +4,7 @@ from fleet_tui.model.events import ObstacleReported
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.rules.history.activity import activities
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.fleet import fleet_table
-from fleet_tui.view.tables.fleet_counts import BESIDE, fleet_counts
+from fleet_tui.view.tables.fleet import BESIDE, fleet_counts, fleet_table
 from fleet_tui.view.tables.table import Run
 from tests.support.fleets import T0, battery, fleet, link_up, pose, queue, reduced, text_of, tick
 
