@@ -25,6 +25,22 @@ LAST_PORT = 65535
 MQTT_PORT = 1883
 
 
+ON_BROKER = "vda5050"
+"""The kind of robots that is on a broker instead of behind a bridge."""
+USUAL = next(iter(KINDS))
+WORDS = (*KINDS, ON_BROKER, MIXED)
+IN_MIXED = 2 * len(KINDS)
+"""The usual number of robots in a mixed fleet."""
+_floors: Callable[[F], F] = click.option(
+    "--floors",
+    type=click.IntRange(1, 20),
+    metavar="N",
+    default=SimulatedFleet().floors,
+    show_default=True,
+    help="Number of floors.",
+)
+
+
 def _fault_list(kind: str) -> str:
     """Return one entry for each fault; continued lines are indented."""
     entries = [f"{name:<16} {text}" for name, text in _texts(kind).items()]
@@ -37,12 +53,6 @@ def _texts(kind: str) -> Mapping[str, str]:
     return {name: text for name, (text, _) in faults.items()}
 
 
-ON_BROKER = "vda5050"
-"""The kind of robots that is on a broker instead of behind a bridge."""
-USUAL = next(iter(KINDS))
-WORDS = (*KINDS, ON_BROKER, MIXED)
-IN_MIXED = 2 * len(KINDS)
-"""The usual number of robots in a mixed fleet."""
 FAULT_LIST = "\b\nFaults:\n" + _fault_list(USUAL)
 ALL_FAULTS = FAULT_LIST + "".join(
     f"\n\n\b\nFaults of --kind {kind}:\n{_fault_list(kind)}" for kind in (*KINDS, ON_BROKER) if kind != USUAL
@@ -143,16 +153,6 @@ def _announce(graph_file: Path | None, floors: int, urls: Sequence[str]) -> None
 @click.group(cls=NearestGroup)
 def simulated() -> None:
     """Group of the commands, which the command line lists as its own."""
-
-
-_floors: Callable[[F], F] = click.option(
-    "--floors",
-    type=click.IntRange(1, 20),
-    metavar="N",
-    default=SimulatedFleet().floors,
-    show_default=True,
-    help="Number of floors.",
-)
 
 
 def _check(kind: str, robots: int, ros: str | None, port: int = 0) -> None:

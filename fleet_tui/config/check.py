@@ -36,6 +36,10 @@ TAKE_FIELDS = ("std_srvs/SetBool", "nav2_msgs/ManageLifecycleNodes", "lifecycle_
 """Types of services on which `{}`, all that a pause sends, is a command of its own: to start, to resume."""
 
 
+EMPTY = ": empty: add "
+"""The problem of a configuration without robots or floors."""
+
+
 def checked(config: Config) -> list[str]:
     """Return one line for each problem that only the whole configuration shows."""
     return [
@@ -50,10 +54,6 @@ def checked(config: Config) -> list[str]:
         *_notify(config.notify),
         *check_programs(config.programs),
     ]
-
-
-EMPTY = ": empty: add "
-"""The problem of a configuration without robots or floors."""
 
 
 def missing_files(config: Config) -> list[str]:

@@ -34,6 +34,10 @@ if TYPE_CHECKING:
     from fleet_tui.screens.rest import Rest
 
 
+_PURPOSE = {"from": "the cargo is fetched", "to": "it is brought"}
+"""Why a choice is missing."""
+
+
 class Large(OnceButton):
     """A button that acts at once: the next key goes to the result."""
 
@@ -274,10 +278,6 @@ def _line(choice: Place | str) -> str:
     if isinstance(choice, str):
         return sanitize(choice)
     return sanitize(choice.name) if choice == HERE else f"{sanitize(choice.name)}  ({sanitize(choice.floor)})"
-
-
-_PURPOSE = {"from": "the cargo is fetched", "to": "it is brought"}
-"""Why a choice is missing."""
 
 
 class SimpleSwitch:

@@ -53,6 +53,17 @@ SETTINGS = {
 _OUR_TERMINAL = ("TMUX", "STY", "TERM_PROGRAM", "TERM_PROGRAM_VERSION", "LINES")
 
 
+HEADERS = {
+    "X-Frame-Options": "DENY",  # or another page could have its visitors click here
+    "X-Content-Type-Options": "nosniff",
+    "Referrer-Policy": "no-referrer",
+    "Cache-Control": "no-cache",
+}
+POLICY = (
+    "default-src 'self' 'unsafe-inline'; img-src 'self' data:; frame-ancestors 'none'; connect-src 'self'"
+)
+
+
 class Tab(AppService):
     """Like textual-serve's, but without a shell, with a guaranteed end that the page is notified of."""
 
@@ -130,17 +141,6 @@ class Tab(AppService):
 def within(width: int, height: int) -> tuple[int, int]:
     """Return a terminal size limited to one that can be painted."""
     return max(1, min(WIDEST, width)), max(1, min(HIGHEST, height))
-
-
-HEADERS = {
-    "X-Frame-Options": "DENY",  # or another page could have its visitors click here
-    "X-Content-Type-Options": "nosniff",
-    "Referrer-Policy": "no-referrer",
-    "Cache-Control": "no-cache",
-}
-POLICY = (
-    "default-src 'self' 'unsafe-inline'; img-src 'self' data:; frame-ancestors 'none'; connect-src 'self'"
-)
 
 
 class Consoles:

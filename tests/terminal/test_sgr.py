@@ -5,7 +5,7 @@ from rich.color import ColorSystem
 from rich.color_triplet import ColorTriplet
 from rich.style import Style
 
-from fleet_tui.terminal.screen_buffer import PLAIN, Sgr, look_of, nearest, sixteen, turn
+from fleet_tui.terminal.sgr import PLAIN, Sgr, look_of, nearest, sixteen, turn
 from fleet_tui.themes import load_themes
 from fleet_tui.view.roles import StyleRole
 

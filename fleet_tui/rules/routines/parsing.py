@@ -70,6 +70,16 @@ _TIME = re.compile(r"([01]?[0-9]|2[0-3]):([0-5][0-9])", re.ASCII)
 _BATTERY = re.compile(r"battery ?([<>]) ?([0-9]{1,3}(?:\.[0-9]{1,3})?) ?%?", re.ASCII)
 
 
+MOST_LINES = 2000
+DEEPEST = 20
+MOST_TIMES = 10_000
+MOST_LANES = 100
+"""Lines of a file, blocks within each other, rounds of a `repeat`, robots."""
+_KEYWORDS = (*USAGE, "every", "for", "repeat", "if", "else", "on failure", "end")
+_FAILURE = ["on", "failure"]
+T = TypeVar("T")
+
+
 def instruction(line: int, words: Sequence[str]) -> tuple[Leaf, ...]:
     """Return the instructions of a line: one for each leg of a carry. Raises CommandError."""
     text = truncate(" ".join(words), LONGEST_NAME)
@@ -142,17 +152,6 @@ def _seconds(words: Sequence[str]) -> float:
     if seconds > LONGEST_WAIT:
         raise CommandError(f"{said(' '.join(words))} is over 7 days: use a schedule (every weekday 06:30)")
     return seconds
-
-
-MOST_LINES = 2000
-DEEPEST = 20
-MOST_TIMES = 10_000
-MOST_LANES = 100
-"""Lines of a file, blocks within each other, rounds of a `repeat`, robots."""
-_KEYWORDS = (*USAGE, "every", "for", "repeat", "if", "else", "on failure", "end")
-_FAILURE = ["on", "failure"]
-
-T = TypeVar("T")
 
 
 class _TooDeepError(CommandError):

@@ -48,6 +48,14 @@ Picture = tuple[tuple[object, ...], tuple[object, ...]]
 """Values, and the graphs and labels, each of which is replaced as a whole."""
 
 
+CHOSEN = "the dispatcher chooses the robot"
+AGAIN = 1.0
+"""Seconds after which the nearest robot is looked for again: it takes a search of every graph."""
+NEXT = "Enter  next"
+SEND = "Enter  send"
+"""Labels of the button for Enter: before the last field, and in it."""
+
+
 class ChoiceList(Matches[Choice]):
     """Lists the choices of the field with the cursor, for a robot if it is known."""
 
@@ -105,11 +113,6 @@ class ChoiceList(Matches[Choice]):
         return robot is None and not is_anyone(self._fields["robot"].value, self._state())
 
 
-CHOSEN = "the dispatcher chooses the robot"
-AGAIN = 1.0
-"""Seconds after which the nearest robot is looked for again: it takes a search of every graph."""
-
-
 def picture_of(state: FleetState, robot: Robot | None) -> Picture:
     """Return that of a robot, or of all for an order that any robot may drive."""
     robots = [robot] if robot is not None else list(state.robots.values())
@@ -123,11 +126,6 @@ def picture_of(state: FleetState, robot: Robot | None) -> Picture:
 def is_same(one: Picture, other: Picture) -> bool:
     """Tell whether two pictures have the same values and the very same maps."""
     return one[0] == other[0] and all(part is same for part, same in zip(one[1], other[1], strict=True))
-
-
-NEXT = "Enter  next"
-SEND = "Enter  send"
-"""Labels of the button for Enter: before the last field, and in it."""
 
 
 class OrderForm(ReturningOverlay):

@@ -58,6 +58,12 @@ TASKS_KEPT = 10
 RESPONDING = 2
 
 
+BOTH_WAYS = 0
+STRING = 1
+BOOL = 4
+"""Types of a parameter."""
+
+
 class RmfWorld:
     """`robots` robots in `fleets` on `floors` floors, their numbers from `first` on, each `step`th.
 
@@ -131,12 +137,6 @@ class RmfWorld:
             self._given += 1
             places = tuple(self._rng.sample(sorted(member.places), 2))
             member.assign(SimTask(f"patrol.web-{self._given}", places, "rmf-web"))
-
-
-BOTH_WAYS = 0
-STRING = 1
-BOOL = 4
-"""Types of a parameter."""
 
 
 class RmfFleet(RmfWorld):

@@ -30,6 +30,10 @@ STATE_EVERY = 1.0
 """Seconds between two states without news: a vehicle may take 30."""
 
 
+VERSION = "2.0.0"
+MANUFACTURER = "fleet-tui"
+
+
 class VehicleClient:
     """The connection of one vehicle. Messages arrive on a thread of paho's: `take` keeps them for `step`."""
 
@@ -95,10 +99,6 @@ class VehicleClient:
         self._publish("connection", {"connectionState": "OFFLINE"}, 1, True)
         self._client.disconnect()
         self._client.loop_stop()
-
-
-VERSION = "2.0.0"
-MANUFACTURER = "fleet-tui"
 
 
 def vehicles_of(names: Sequence[str], floors: int, seed: int, faults: str) -> list[SimVehicle]:

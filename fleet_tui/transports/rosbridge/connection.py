@@ -41,6 +41,10 @@ AT_ONCE = 1.0
 HEAD = 1000
 
 
+# Seconds of the requested session. rosauth checks it only once, when the connection begins.
+SESSION = 86_400
+
+
 class Listener(Protocol):
     """Receives the events of a connection. Everything is called on the network loop."""
 
@@ -61,10 +65,6 @@ class Listener(Protocol):
 
     def on_too_large(self, head: bytes, is_binary: bool, size: int) -> None:
         """A message of `size` bytes was dropped; `head` is its beginning."""
-
-
-# Seconds of the requested session. rosauth checks it only once, when the connection begins.
-SESSION = 86_400
 
 
 class _OwnLoop(comm_asyncio.AsyncioEventLoopManager):  # type: ignore[misc]  # roslibpy has no types

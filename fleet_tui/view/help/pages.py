@@ -180,6 +180,20 @@ TASKS: dict[str, tuple[Step, ...]] = {
 }
 
 
+NEW_ALARM = "alarm that waits for an acknowledgement; robot with an alarm"
+SUPPRESSED = "alarms that another one stands for: of its group, or of its link"
+STATES = {
+    Activity.DRIVING: "its pose changes",
+    Activity.WAITING: "it stands with an order, with the seconds of that: amber from 30 s on",
+    Activity.LOADING: "it stands at a stop of its order",
+    Activity.BLOCKED: "in contact with an obstacle, stopped by its navigation, or stuck with an order",
+    Activity.PAUSED: "by this console or, marked so, from elsewhere",
+    Activity.IDLE: "it stands, and no order of it is known",
+    Activity.CHARGING: "it is idle at a charger, and not full",
+    Activity.OFFLINE: "nothing received for too long, with the age of its last message",
+}
+
+
 def help_pages(
     keys: Mapping[str, tuple[str, ...]],
     pane: Pane,
@@ -313,10 +327,6 @@ _LINES = (
 )
 
 
-NEW_ALARM = "alarm that waits for an acknowledgement; robot with an alarm"
-SUPPRESSED = "alarms that another one stands for: of its group, or of its link"
-
-
 def _tables() -> tuple[HelpRow, ...]:
     alarm, text = StyleRole.ALARM, StyleRole.TEXT
     signs = {stage: tr(sign) for stage, sign in SIGNS.items()}
@@ -341,18 +351,6 @@ def _tables() -> tuple[HelpRow, ...]:
         MARKS[MarkKind.ALARM][0]: (alarm, "recording: an alarm"),
     }
     return tuple(_row(((mark, role),), meaning) for mark, (role, meaning) in marks.items())
-
-
-STATES = {
-    Activity.DRIVING: "its pose changes",
-    Activity.WAITING: "it stands with an order, with the seconds of that: amber from 30 s on",
-    Activity.LOADING: "it stands at a stop of its order",
-    Activity.BLOCKED: "in contact with an obstacle, stopped by its navigation, or stuck with an order",
-    Activity.PAUSED: "by this console or, marked so, from elsewhere",
-    Activity.IDLE: "it stands, and no order of it is known",
-    Activity.CHARGING: "it is idle at a charger, and not full",
-    Activity.OFFLINE: "nothing received for too long, with the age of its last message",
-}
 
 
 def _states(look: MapOptions) -> tuple[HelpRow, ...]:

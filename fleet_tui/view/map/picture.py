@@ -37,6 +37,14 @@ OUTLINE = 10.0
 """Dots of a robot's longer side from which its outline is drawn."""
 
 
+Layer = Callable[[Cells, Scene, Camera, MapOptions], None]
+FARTHEST = 1e9
+"""Map pixels beyond which nothing is drawn."""
+STILL: tuple[Layer, ...] = (draw_ground, draw_edges)
+MISSION: tuple[Layer, ...] = (draw_mission, draw_vertices)
+"""Below the labels. Redrawn only when the map, the graph, the mission, the camera or the options change."""
+
+
 def draw_outlines(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
     """Draw the outline of each robot of known size, to scale, if the zoom is close enough."""
     dot = camera.scale * scene.frame.resolution
@@ -101,16 +109,6 @@ def draw_scan(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> N
     cells.codes[off_wall] = ord("%") if look.plain else BRAILLE[bits[off_wall]]
     cells.roles[drawn] = StyleRole.TRAIL if scene.beams_are_old else StyleRole.SCAN
 
-
-Layer = Callable[[Cells, Scene, Camera, MapOptions], None]
-
-
-FARTHEST = 1e9
-"""Map pixels beyond which nothing is drawn."""
-
-STILL: tuple[Layer, ...] = (draw_ground, draw_edges)
-MISSION: tuple[Layer, ...] = (draw_mission, draw_vertices)
-"""Below the labels. Redrawn only when the map, the graph, the mission, the camera or the options change."""
 
 MOVING: tuple[Layer, ...] = (
     draw_trails,

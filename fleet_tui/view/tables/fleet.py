@@ -53,6 +53,16 @@ ALL_IN_VIEW = 12
 """Robots up to which nearly every pane has a row for each: of more the title tells which rows are in view."""
 
 
+CARGO = "▪"
+WITH_WORD = 23
+WHOLE_ROUTES = 26
+"""Cells of the last column from which orders without a column of their own have the word that their robot
+drives, and their start, too."""
+_GAP: Run = " ", StyleRole.TEXT
+SEEN_FROM = 2.0
+"""Seconds from which the age of a robot's last message is shown."""
+
+
 def battery_run(state: FleetState, robot: Robot) -> Run:
     """Return the battery in per cent."""
     if robot.battery is None:
@@ -76,16 +86,6 @@ def battery_bar(state: FleetState, robot: Robot) -> Run:
     role = battery_run(state, robot)[1]
     is_low = role in (StyleRole.ALARM, StyleRole.WARN)
     return "━" * cells + "┄" * (BAR - cells), role if is_low else StyleRole.DIM
-
-
-CARGO = "▪"
-WITH_WORD = 23
-WHOLE_ROUTES = 26
-"""Cells of the last column from which orders without a column of their own have the word that their robot
-drives, and their start, too."""
-_GAP: Run = " ", StyleRole.TEXT
-SEEN_FROM = 2.0
-"""Seconds from which the age of a robot's last message is shown."""
 
 
 def _signed(state: FleetState, robot: Robot, troubled: bool, shelved: bool, odd: bool) -> Run:

@@ -5,7 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from rich.color_triplet import ColorTriplet
 
-from fleet_tui.terminal.screen_buffer import nearest
+from fleet_tui.terminal.sgr import nearest
 from fleet_tui.view.camera.cells import RAMP, colour_numbers, half_blocks, ramp
 
 PARTS = st.integers(0, 255)
