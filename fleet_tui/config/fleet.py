@@ -104,9 +104,9 @@ class Service(NamedTuple):
 
 
 def publications_of(config: Config, adapters: Mapping[str, Adapter], link: str) -> list[tuple[str, str]]:
-    """Return name and type of every topic of a link on which commands are published, empty for a read-only
-    console. A disarmed one may pause, and be armed."""
-    if config.operator.read_only:
+    """Return name and type of every topic of a link on which commands are published, empty where none are
+    given. A disarmed console may pause, and be armed."""
+    if config.operator.read_only or config.watches:
         return []
     robots = [robot.name for robot in config.robots if robot.link == link]
     return [one for robot in robots for one in adapters[robot].publications(robot)]

@@ -16,7 +16,7 @@ S = TypeVar("S", bound=msgspec.Struct)
 
 SECRETS = ("authorization", "rosauth", "user", "password")
 """Secrets of links: each is in a file or an environment variable, `KEY_file` or `KEY_env`."""
-NOT_IN_FILE = ("path", "doubt", "withheld")
+NOT_IN_FILE = ("path", "doubt", "withheld", "watches")
 """Fields of a configuration that no file sets."""
 LINK_FILES = ("ca_file", "client_cert", "client_key", *(f"{key}_file" for key in SECRETS))
 
@@ -178,7 +178,8 @@ class RoutinesConfig(msgspec.Struct, frozen=True):
 
 class Config(msgspec.Struct, frozen=True):
     """A whole configuration; `path` is its file, `doubt` how somebody else could have written that, and
-    `withheld` tells what does not count for that reason, or for such files that it names."""
+    `withheld` tells what does not count for that reason, or for such files that it names. `watches`: this
+    process gives no commands, whatever its operator may."""
 
     rosbridge: Link = Link()
     links: dict[str, Link] = {}
@@ -202,6 +203,7 @@ class Config(msgspec.Struct, frozen=True):
     path: Path = Path()
     doubt: str = ""
     withheld: list[str] = []
+    watches: bool = False
 
     def link(self, name: str) -> Link:
         """Return a link, with or without robots."""

@@ -34,6 +34,11 @@ ACTIONS_GLOB = "actions_glob"
 """Allow-lists of rosbridge, of the services and of the actions that its clients may call."""
 NOT_ADMITTED = "the bridge does not allow the heartbeat /rosapi/get_time (services_glob)"
 NO_REPLY = "no reply from the bridge to calls"
+UNPROVEN = "not tried yet: no node answers"
+"""Neither rosapi nor the bridge's own node, as after a restart of the ROS master, or at a site without rosapi
+whose bridge has another name: a command shows it."""
+UNASKED = "not tried yet: rosapi does not answer"
+"""No other node may be asked by a console that is read-only."""
 OF_BAG = "rosbag://"
 """Prefix of the address of a recorded file, instead of a bridge."""
 

@@ -42,6 +42,13 @@ CALLS_HANG = COMMANDS_DEAD._replace(
     remedy="Restart rosbridge, on ROS 2 without use_events_executor; until then pause a robot by its own"
     " controls",
 )
+COMMANDS_UNTRIED = FactKind(
+    "commands",
+    "commands not tried yet",
+    remedy="Start rosapi; after a restart of the ROS master restart rosbridge and the robots' nodes, too",
+    keys=COMMANDS_DEAD.keys,
+    page="link",
+)
 LATE_LINK = FactKind(
     "late",
     "bridge overloaded",
@@ -270,6 +277,7 @@ FACTS = (
     HALF_DEAD,
     CALLS_HANG,
     HEARTBEAT_NOT_ALLOWED,
+    COMMANDS_UNTRIED,
     LATE_LINK,
     LOST_SUBSCRIPTIONS,
     UNSOURCED,

@@ -4,13 +4,14 @@ from fleet_tui.errors import STOPPED, UNANSWERED
 from fleet_tui.model import link as reasons
 from fleet_tui.model.alarm import Priority
 from fleet_tui.model.fleet import FleetState, behind_text
-from fleet_tui.model.link import ACTIONS_GLOB, NO_WAY, SERVICES_GLOB, CommandPath, LinkState, Phase
+from fleet_tui.model.link import ACTIONS_GLOB, NO_WAY, SERVICES_GLOB, UNPROVEN, CommandPath, LinkState, Phase
 from fleet_tui.situation.fact import Fact
 from fleet_tui.situation.facts import (
     BEHIND,
     BRIDGE_HANGS,
     CALLS_HANG,
     COMMANDS_DEAD,
+    COMMANDS_UNTRIED,
     HALF_DEAD,
     HEARTBEAT_NOT_ALLOWED,
     LATE_LINK,
@@ -66,6 +67,17 @@ def dead_commands(link: LinkState) -> Fact | None:
         evidence = "no topic and no node: only the bridge itself answers"
         fact = fact._replace(short=kind.word, evidence=evidence)
     return fact
+
+
+def untried_commands(link: LinkState) -> Fact | None:
+    """Find that nothing shows that commands get through a bridge that is connected: no node answers. Where
+    only rosapi may be asked, it need not be there."""
+    if link.phase is not Phase.UP or link.command_path is not CommandPath.ALIVE or not link.command_reason:
+        return None
+    kind = COMMANDS_UNTRIED
+    remedy = kind.action[0].lower() + kind.action[1:]
+    priority = Priority.MEDIUM if link.command_reason == UNPROVEN else Priority.LOW
+    return Fact(kind, link.name, f"commands {link.command_reason}: {remedy}", priority, link.since)
 
 
 def is_late(link: LinkState) -> bool:

@@ -11,13 +11,14 @@ from fleet_tui.model.alarm import Priority
 from fleet_tui.model.fleet import FleetState, missing_text
 from fleet_tui.model.fleets.facility import LANES, Facility
 from fleet_tui.model.kind import PAUSE
-from fleet_tui.model.link import LinkState, Phase
+from fleet_tui.model.link import CommandPath, LinkState, Phase
 from fleet_tui.model.order import Stop
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.alarms.trouble import to_look_at
 from fleet_tui.rules.commands.pauses import is_held
+from fleet_tui.situation.fact import Fact
 from fleet_tui.situation.facts import OBSTACLE
-from fleet_tui.situation.links import behind, dead_commands, late_link, no_link
+from fleet_tui.situation.links import behind, dead_commands, late_link, no_link, untried_commands
 from fleet_tui.situation.robots import absence, blocked_robots
 from fleet_tui.text.language import tr
 from fleet_tui.text.limits import some
@@ -43,7 +44,7 @@ def _link(state: FleetState, link: LinkState) -> Values:
         "reason": link.reason or None,
         "since_s": _age(state, link.since),
         "last_message_s": _age(state, link.last_received),
-        "commands": link.command_path.value,
+        "commands": (CommandPath.UNTRIED if untried_commands(link) else link.command_path).value,
         "commands_reason": link.command_reason or None,
         "late_s": round(link.late, 1),
         "bad_frames": link.faults,
@@ -128,12 +129,18 @@ def _robot(state: FleetState, robot: Robot) -> Values:
     return values | {"bad_messages": robot.faults, "never_came": missing(robot)}
 
 
+def untried(state: FleetState) -> list[Fact]:
+    """Return the bridges of which nothing shows that commands get through."""
+    return [fact for fact in map(untried_commands, state.links.values()) if fact is not None]
+
+
 def attention(state: FleetState) -> list[str]:
     """Return one line for each thing that needs attention; empty when all is well."""
     # Listed before they have lasted long enough for an alarm: this command does not wait for that.
     facts = [behind(state)]
     facts += [late_link(state, link) for link in state.links.values()]
     facts += [no_link(state, link) or dead_commands(link) for link in state.links.values()]
+    facts += [fact for fact in untried(state) if fact.priority is not Priority.LOW]
     lines = [f"{fact.source}: {fact.text}" for fact in facts if fact is not None]
     if blocked := blocked_robots(state):
         lines.append(f"{counted(len(blocked), 'robot')} {OBSTACLE.word}: {some(blocked)}")

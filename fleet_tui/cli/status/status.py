@@ -5,9 +5,10 @@ import shutil
 import time
 from collections.abc import Callable
 
+import msgspec
+
 from fleet_tui.cli.session import WaitingStore, has_link, is_known, session
-from fleet_tui.cli.status.report import attention, changes, report
-from fleet_tui.config.fleet import watching
+from fleet_tui.cli.status.report import attention, changes, report, untried
 from fleet_tui.config.schema import Config
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.text.sanitize import sanitize
@@ -39,7 +40,11 @@ def table(state: FleetState) -> str:
     alarms = alarm_table(state, lambda wall: time.strftime("%H:%M:%S", time.localtime(wall)))
     lines += [_text(row.runs) for row in alarms.rows]
     wrong = attention(state)
-    lines += [f"! {sanitize(line)}" for line in wrong] if wrong else ["all well"]
+    lines += (
+        [f"! {sanitize(line)}" for line in wrong]
+        or [f"{sanitize(fact.source)}: {fact.text}" for fact in untried(state)]
+        or ["all well"]
+    )
     return "\n".join(line.strip() for line in lines)
 
 
@@ -83,7 +88,7 @@ def _watch(store: WaitingStore, state: FleetState, as_json: bool, oneline: bool,
 
 def status(config: Config, timeout: float, as_json: bool, oneline: bool, watch: bool, say: Say) -> int:
     """Print the state of the fleet; return the exit code."""
-    with session(watching(config)) as (_, store):
+    with session(msgspec.structs.replace(config, watches=True)) as (_, store):
         store.wait(is_known, timeout)
         # Alarms advance at the next tick of the clock.
         known_at = time.monotonic()

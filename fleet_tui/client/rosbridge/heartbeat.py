@@ -6,12 +6,12 @@ from collections.abc import Callable, Collection
 
 from fleet_tui.adapters.ros.operations import ServiceResponse
 from fleet_tui.client.rosbridge.calls import OWN_WORD, Calls, NoAnswerError
-from fleet_tui.client.rosbridge.pulse import Pulse
+from fleet_tui.client.rosbridge.pulse import Pulse, is_unknown
 from fleet_tui.client.rosbridge.services import Services
 from fleet_tui.errors import LinkError
 from fleet_tui.model.counters import RoundTrips
 from fleet_tui.model.events import CommandPathChanged
-from fleet_tui.model.link import HALF_DEAD, NO_REPLY, NOT_ADMITTED, CommandPath
+from fleet_tui.model.link import HALF_DEAD, NO_REPLY, NOT_ADMITTED, UNASKED, UNPROVEN, CommandPath
 from fleet_tui.text.limits import some
 
 EVERY = 2.0
@@ -26,8 +26,6 @@ HALF_DEAD_AFTER = 1.5
 """Seconds without a message on any topic after which a bridge of which no node answers is half dead."""
 NO_NODE = "ROS knows no node, not even the bridge: start rosapi, or restart the bridge and the robots' nodes"
 """As after a restart of the ROS master: what was connected before goes on."""
-UNPROVEN = "not tried yet: no node answers"
-"""As well as NO_NODE it may be a site without rosapi whose bridge has another name: a command shows it."""
 
 
 class Heartbeat:
@@ -93,6 +91,8 @@ class Heartbeat:
         self._answered_at = time.monotonic()
         if self.reason == HALF_DEAD and not response.result:
             return
+        if self.path is CommandPath.UNTRIED and is_unknown(response.values):
+            return  # another node may answer, which the beat asks at once
         message = response.values if isinstance(response.values, str) else ""
         if "unable to communicate with master" in message.lower():
             self._services.on_master_lost()
@@ -116,9 +116,10 @@ class Heartbeat:
             wrong = f"no services of {some(absent)}: restart its node, or correct [profile.services]"
             self._set(CommandPath.UNREGISTERED, wrong)
         elif self._pulse.knows_no_node and self._services.are_unseen:
-            is_proven = self._services.is_unknown_to_bridge
-            path, reason = (CommandPath.UNREGISTERED, NO_NODE) if is_proven else (CommandPath.ALIVE, UNPROVEN)
-            self._set(path, reason)
+            if self._services.is_unknown_to_bridge:
+                self._set(CommandPath.UNREGISTERED, NO_NODE)
+            else:
+                self._set(CommandPath.ALIVE, UNPROVEN if self._pulse.asks_node else UNASKED)
         else:
             self._set(CommandPath.ALIVE)
 
@@ -152,4 +153,7 @@ class Heartbeat:
         # Upstream issue 1144: its ROS thread has ended, the rest of it goes on.
         if answer is None and self._pulse.is_mute and self._silence() > HALF_DEAD_AFTER:
             self._set(CommandPath.DEAD, HALF_DEAD)
+        elif self.path is CommandPath.UNTRIED:
+            self.path = CommandPath.ALIVE
+            self._refresh()
         return answer is not None

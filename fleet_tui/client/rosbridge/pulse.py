@@ -20,6 +20,7 @@ class Pulse:
     def __init__(self, calls: Calls, asks_node: bool = True) -> None:
         """`asks_node`: else only rosapi is asked, as by a console that may only read."""
         self._calls = calls
+        self.asks_node = asks_node
         self._questions: dict[str, Mapping[str, object]] = {TIME: {}, **(OF_NODE if asks_node else {})}
         self._absent: set[str] = set()
         """Services that this bridge does not know: asked once on each connection."""

@@ -12,6 +12,7 @@ import pytest
 from msgspec.structs import replace
 
 from fleet_tui.cli.status.report import attention, changes, report
+from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.cli import config_file, run, started
 from tests.support.fleets import LINK, T0, fleet, link_up, reduced, tick
@@ -67,6 +68,38 @@ async def test_no_link_is_3_with_its_reason_within_the_timeout(tmp_path: Path) -
     done = await run(tmp_path, "status", "--timeout", "0.5")
     assert done.code == 3
     assert "no link" in done.out and "connection refused" in done.out
+
+
+async def test_commands_that_nothing_vouches_for_need_attention(
+    server: RosbridgeServer, tmp_path: Path
+) -> None:
+    play(server, [("lost-master", "robot_0")])
+    config_file(tmp_path, server.url)
+    done = await run(tmp_path, "status")
+    assert done.code == 1 and "all well" not in done.out
+    assert "rosbridge: commands not tried yet: no node answers: start rosapi" in done.out
+    (link,) = json.loads((await run(tmp_path, "status", "--json")).out)["links"]
+    assert link["commands"] == "untried"
+
+
+async def test_a_site_without_rosapi_is_well(server: RosbridgeServer, tmp_path: Path) -> None:
+    play(server, [("dead-rosapi", "robot_0")])
+    config_file(tmp_path, server.url)
+    done = await run(tmp_path, "status")
+    assert done.code == 0 and "all well" in done.out
+
+
+async def test_who_may_only_read_is_told_of_a_site_without_rosapi_that_no_command_was_tried(
+    server: RosbridgeServer, tmp_path: Path
+) -> None:
+    play(server, [("dead-rosapi", "robot_0")])
+    path = config_file(tmp_path, server.url)
+    path.write_text(f"{path.read_text()}\n[operator]\nread_only = true\n")
+    done = await run(tmp_path, "status")
+    assert done.code == 0 and "all well" not in done.out
+    assert "commands not tried yet: rosapi does not answer" in done.out
+    asked = {one["service"] for one in server.bridge.received if one["op"] == "call_service"}
+    assert all(service.startswith("/rosapi/") for service in asked)
 
 
 async def test_one_line_fits_a_status_bar(server: RosbridgeServer, tmp_path: Path) -> None:
