@@ -29,6 +29,7 @@ class Feed(NamedTuple):
     `is_shared`: one topic may report on all robots of a link; its messages name them, but for a map, which is
     of none. `queue_length`: messages that the bridge keeps for this console; with more than one of them each
     counts, not only the newest. `has_pictures`: its maps are pictures, which the reader of frames decodes.
+    `action`: it reports all the time on the goal of that action that is driven.
     """
 
     key: str
@@ -45,6 +46,7 @@ class Feed(NamedTuple):
     is_shared: bool = False
     queue_length: int = 1
     has_pictures: bool = False
+    action: str = ""
 
     @property
     def robot(self) -> str:

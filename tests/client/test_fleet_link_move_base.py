@@ -255,6 +255,23 @@ async def test_a_pose_topic_that_died_alone_is_subscribed_again_once_the_robot_m
     assert asked == [pose]
 
 
+async def test_a_feedback_topic_that_died_alone_is_subscribed_again_while_a_goal_is_driven(
+    tmp_path: Path,
+) -> None:
+    feedback = f"/{R0}/move_base/feedback"
+    async with move_base_site(tmp_path, speed=1.0) as site, linked(site.config) as (_, store):
+        await store.until(known)
+        await asyncio.sleep(20.0)  # it owes no message while nothing is driven
+        site.server.bridge.orphaned.add(feedback)
+        site.server.bridge.received.clear()
+        site.navigation().give(*FAR)
+        await store.until(lambda _: not site.server.bridge.orphaned)
+        await store.until(lambda _: site.server.bridge.subscribers(feedback) == 1)
+        asked = [one["topic"] for one in site.server.bridge.received if one["op"] == "subscribe"]
+        assert robot(store.state).orders.open
+    assert asked == [feedback]
+
+
 async def test_a_pose_topic_that_another_client_holds_dead_blames_the_bridge(site: MoveBaseSite) -> None:
     pose = f"/{R0}/amcl_pose"
     async with linked(site.config) as (link, store), connect(site.server.url) as other:

@@ -1,5 +1,8 @@
 """Orders of robots with Nav2, over a real loopback bridge: given, confirmed, driven, cancelled."""
 
+import asyncio
+from pathlib import Path
+
 import pytest
 
 from fleet_tui.model.commands import CancelOrder, ClearOrders, PlaceOrder, Stage
@@ -13,7 +16,7 @@ from fleet_tui.simulator.ros.goals import CANCELED, EXECUTING
 from fleet_tui.state import reducer as apply
 from fleet_tui.transports.rosbridge import connection
 from tests.support.links import finished, linked, phase
-from tests.support.nav2_site import Site, nav2_ready, reached
+from tests.support.nav2_site import Site, nav2_ready, nav2_site, reached
 
 R0 = "robot_0"
 FAR, NEAR = (35.0, 20.0), (8.0, 0.0)
@@ -69,6 +72,21 @@ async def test_an_order_to_b_is_one_goal_with_the_heading_of_the_way_there(site:
     assert [list(one) for one in site.navigation().received] == [["pose", "behavior_tree"]]
     pose = site.navigation().robot.pose
     assert (round(pose.x, 1), round(pose.y, 1), round(pose.yaw, 2)) == (0.0, 7.0, 1.57)
+
+
+async def test_a_feedback_topic_that_died_alone_is_subscribed_again_while_its_action_drives(
+    tmp_path: Path,
+) -> None:
+    feedback = f"/{R0}/{TO_POSE}/_action/feedback"
+    async with nav2_site(tmp_path, speed=1.0) as site, linked(site.config) as (link, store):
+        await store.until(nav2_ready)
+        await asyncio.sleep(5.0)  # the rest has been subscribed to
+        site.server.bridge.orphaned.add(feedback)
+        site.server.bridge.received.clear()
+        await finished(link, store, site.to("Consumidores"))
+        await store.until(lambda state: state.robots[R0].progress)
+        asked = [one["topic"] for one in site.server.bridge.received if one["op"] == "subscribe"]
+    assert asked == [feedback]
 
 
 async def test_our_order_is_cancelled_by_its_id(site: Site) -> None:

@@ -44,7 +44,7 @@ class MoveBase(NavigationAdapter):
         yield from feeds.feed(names, robot, slow, "status")
         yield from feeds.feed(names, robot, slow._replace(rate_ms=0, silent=True), "target")
         yield from feeds.places(names, site, robot)
-        yield from feeds.feed(names, robot, slow._replace(silent=True), "feedback")
+        yield from feeds.feed(names, robot, slow._replace(silent=True, action=reading.ACTION), "feedback")
         yield from feeds.battery(names, site, robot)
         yield from feeds.surroundings(names, robot, floors)
         yield from self.set_up.feeds(robot)

@@ -72,7 +72,8 @@ class Nav2(NavigationAdapter):
         for action, type_ in FEEDBACK_TYPES.items():
             if name := self.names.action(action, robot):
                 address, key = f"{name}/_action/feedback", f"{action} feedback"
-                yield Feed(key, (robot,), "", address, type_, self.site.status_ms, silent=True)
+                rate = self.site.status_ms
+                yield Feed(key, (robot,), "", address, type_, rate, silent=True, action=action)
 
     def probes(self, robot: str) -> Iterable[Probe]:
         """Return the checks of whether such a robot can be driven."""

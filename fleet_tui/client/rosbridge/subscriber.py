@@ -3,6 +3,7 @@ topics that stay silent. Everything runs on the network loop."""
 
 import asyncio
 import logging
+import math
 import time
 from collections.abc import Callable, Iterable, Mapping, Sequence, Set
 from contextlib import suppress
@@ -20,6 +21,8 @@ from fleet_tui.client.rosbridge.renewals import PER_TOPIC, Renewals
 from fleet_tui.client.rosbridge.rosapi import ROSAPI_TIMEOUT, lacks_bridge, topic_types
 from fleet_tui.errors import LinkError
 from fleet_tui.model import events
+from fleet_tui.model.order import OrderState
+from fleet_tui.model.robot import Robot
 from fleet_tui.transports.rosbridge.connection import Connection
 
 LOG = logging.getLogger(__name__)
@@ -57,10 +60,14 @@ class Subscriber:
         self._pacing = pacing
         self._robots = {robot for feed in self._feeds for robot in feed.robots}
         regular = {feed.address for feed in self._feeds if _is_regular(feed)}
-        placing = (feed for feed in self._feeds if feed.key in ("pose", "tf") and not _is_regular(feed))
-        self._placing = {feed.address: feed.robots for feed in placing}
-        """Robots by topic of a localisation, which is silent while they stand."""
-        self._renewals = Renewals({*regular, *self._placing, *self._robots}, len(self._feeds))
+        self._at_times = [
+            feed
+            for feed in self._feeds
+            if not _is_regular(feed) and (feed.key in ("pose", "tf") or feed.action)
+        ]
+        """Those of a localisation, which is silent while its robot stands, and of goals that are driven."""
+        at_times = {feed.address for feed in self._at_times}
+        self._renewals = Renewals({*regular, *at_times, *self._robots}, len(self._feeds))
         self.types: dict[str, str] = {}
         """Type by topic, as last listed by rosapi; empty if it does not answer."""
         self._refused: set[str] = set()
@@ -156,10 +163,10 @@ class Subscriber:
         if self._task is not None:
             self._task.cancel()
 
-    def check(self, now: float, last_message: Mapping[str, float], adrift: Mapping[str, float]) -> None:
+    def check(self, now: float, last_message: Mapping[str, float], robots: Mapping[str, Robot]) -> None:
         """Subscribe again to topics that should come faster or slower by now, of the same id, which replaces
         the earlier one, and to topics that have been silent for long; `last_message` is by robot, in
-        monotonic seconds, and so is since when only its wheels tell where it is, in `adrift`."""
+        monotonic seconds."""
         if self._task is None or not self._connection.is_connected:
             return
         for feed in self._pacing.due(now):
@@ -174,11 +181,11 @@ class Subscriber:
             del self._renewed[topic]
         if self._dropped & back:
             self._report_dropped(self._dropped - back)
-        placed = {
-            topic: max(heard.get(topic, 0.0), min(adrift.get(robot, now) for robot in robots))
-            for topic, robots in self._placing.items()
+        owed = {
+            feed.address: max(heard.get(feed.address, 0.0), min(_owes_since(feed, robots), now))
+            for feed in self._at_times
         }
-        silent, release_time = self._renewals.due(now, {**heard, **placed, **last_message})
+        silent, release_time = self._renewals.due(now, {**heard, **owed, **last_message})
         if silent:
             LOG.info("silent, subscribing again: %s", " ".join(sorted(silent)))
             self._task = asyncio.ensure_future(self._renew(silent, release_time))
@@ -312,6 +319,18 @@ class Subscriber:
             self._subscribe(wanted)
             if self._is_ros2:
                 self._latched.start(PER_TOPIC)
+
+
+def _owes_since(feed: Feed, robots: Mapping[str, Robot]) -> float:
+    """Return the monotonic second from which a topic that may be silent must send, infinite if it need not:
+    once only the wheels of a robot tell where it is, or while a goal is driven."""
+    reported = [robots[name] for name in feed.robots]
+    if feed.action:
+        goals = (goal for robot in reported for goal in robot.goals.get(feed.action, ()))
+        since = (goal.begun_at for goal in goals if goal.state is OrderState.IN_PROCESS)
+    else:
+        since = (robot.adrift_at for robot in reported)
+    return min((at for at in since if at is not None), default=math.inf)
 
 
 def _is_regular(feed: Feed) -> bool:

@@ -134,9 +134,7 @@ class Telemetry:
             self._writer.apply(events.MessageArrived(self._link, self._received_at))
         if now > self._next_check:
             self._next_check = now + CHECK_EVERY
-            robots = self._writer.store.state.robots.values()
-            adrift = {one.name: one.adrift_at for one in robots if one.adrift_at is not None}
-            self._subscriber.check(now, self._last_messages, adrift)
+            self._subscriber.check(now, self._last_messages, self._writer.store.state.robots)
             self.services.note_active(self._last_messages)
             self._subscriber.watch(self._wanted_feeds())
             self._pictures.look()
