@@ -36,6 +36,9 @@ LOG = logging.getLogger(__name__)
 
 # Poses arrive ten times a second: a bridge that was active and is silent for this long has a fault.
 LONGEST_SILENCE = 2.0
+# A pause waits so long for the type of its service, which rosapi tells within 60 ms: then it can only make
+# things safer.
+TYPE_WITHIN = 1.5
 # A command that waited longer for a stalled console is out of date.
 LATEST = 1.0
 
@@ -120,14 +123,26 @@ class CommandChannel:
         """Send a command that was given at `given_at` (monotonic), before anything else happens.
 
         Only on a new connection, while the types of services are being fetched, it waits briefly, with later
-        commands behind it; a pause never waits.
+        commands behind it; a pause waits only for the type of its own service.
         """
         LOG.info("command %d: %s", command_id, truncate(str(command)))
-        waits = self._services.is_new or self._in_turn.locked() or isinstance(command, SetUpCommand)
-        if isinstance(command, PauseRobot) or not waits:
-            self._submit(command_id, command, given_at)
-        else:
+        is_new = self._services.is_new
+        if isinstance(command, PauseRobot) and is_new:
+            self._keep(asyncio.ensure_future(self._submit_pause(command_id, command, given_at)))
+        elif not isinstance(command, PauseRobot) and (
+            is_new or self._in_turn.locked() or isinstance(command, SetUpCommand)
+        ):
             self._keep(asyncio.ensure_future(self._submit_in_turn(command_id, command, given_at)))
+        else:
+            self._submit(command_id, command, given_at)
+
+    async def _submit_pause(self, command_id: int, command: PauseRobot, given_at: float) -> None:
+        began = time.monotonic()
+        with suppress(CommandError):  # as it is submitted, that is reported
+            outgoing = self._made(command, command_id)
+            await self._services.learn([one.address for one in outgoing], self._calls, TYPE_WITHIN)
+        waited = min(time.monotonic() - began, TYPE_WITHIN)
+        self._submit(command_id, command, given_at, waited)
 
     async def _submit_in_turn(self, command_id: int, command: Command, given_at: float) -> None:
         began = time.monotonic()
@@ -212,16 +227,19 @@ class CommandChannel:
             if silent > LONGEST_SILENCE:
                 # A command sent into a frozen connection may be delivered, and obeyed, much later.
                 raise LinkError(f"no message from the bridge for {silent:.1f} s")
-        adapter = self._adapters[command.robot]
-        robot = self._writer.store.state.robots[command.robot]
-        outgoing = adapter.outgoing(command, command_id, robot, uuid.uuid4().hex)
+        outgoing = self._made(command, command_id)
         for one in outgoing:
             if not isinstance(command, PauseRobot):
                 self._answers.check_allowed(one.address)
             if mismatch := self._services.mismatch(one.address):
-                table = adapter.names.table
+                table = self._adapters[command.robot].names.table
                 raise CommandError(f"{mismatch}: correct [{table}.services], or [{table}.service_types]")
         return [one for one in outgoing if not self._lacks_server(one)]
+
+    def _made(self, command: Command, command_id: int) -> Sequence[Outgoing]:
+        """Return what a command is on the wire. Raises CommandError."""
+        robot = self._writer.store.state.robots[command.robot]
+        return self._adapters[command.robot].outgoing(command, command_id, robot, uuid.uuid4().hex)
 
     def _lacks_server(self, outgoing: Outgoing) -> bool:
         """Tell whether there is nobody to take a call, which would be an error in the log of the site."""

@@ -114,6 +114,13 @@ class Services:
         with suppress(TimeoutError):
             await asyncio.wait_for(self._listed.wait(), SETTLE_TIME)
 
+    async def learn(self, names: Iterable[str], calls: Calls, within: float) -> None:
+        """Ask over `calls`, for at most `within` seconds, for the types of services that this connection has
+        not told yet."""
+        with suppress(TimeoutError, LinkError):
+            async with asyncio.timeout(within):
+                await self._ask_types(self._wanted.keys() & {*names} - self._confirmed, calls)
+
     def stop(self) -> None:
         if self._task is not None:
             self._task.cancel()
@@ -169,7 +176,7 @@ class Services:
     async def is_of_type(self, service: str, type_: str) -> bool:
         """Tell whether rosapi says that a service is of a type. Raises LinkError."""
         if service not in self._types:
-            await self._ask_type(service)
+            await self._ask_type(service, self._calls)
         return same_type(self._types.get(service, ""), type_)
 
     async def _query(self) -> None:
@@ -207,7 +214,7 @@ class Services:
         self._miss(self._seen - there)
         if absent != self._absent:
             self.changed()
-        await self._ask_types([name for name in self._wanted if name in there - self._confirmed])
+        await self._ask_types([name for name in self._wanted if name in there - self._confirmed], self._calls)
 
     def _take_servers(self, response: ServiceResponse) -> None:
         listed = response.values.get("action_servers") if isinstance(response.values, dict) else None
@@ -221,14 +228,14 @@ class Services:
         if first:
             asyncio.get_running_loop().call_later(RETRY_AFTER, self.query)
 
-    async def _ask_types(self, names: Iterable[str]) -> None:
+    async def _ask_types(self, names: Iterable[str], calls: Calls) -> None:
         for name in names:
-            found = await self._ask_type(name)
+            found = await self._ask_type(name, calls)
             if found and same_type(found, self._wanted[name].type):
                 self._confirmed.add(name)
 
-    async def _ask_type(self, name: str) -> str:
-        response = await self._ask("service_type", {"service": name})
+    async def _ask_type(self, name: str, calls: Calls) -> str:
+        response = await calls.call("/rosapi/service_type", {"service": name}, ROSAPI_TIMEOUT)
         found = response.values.get("type") if isinstance(response.values, dict) else None
         if not (response.result and isinstance(found, str) and found):
             return ""

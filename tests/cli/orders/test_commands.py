@@ -303,3 +303,15 @@ async def test_a_service_of_another_type_is_not_called_by_a_fresh_process(
     chain = await run(folder, "order", "robot_0", "Base", "Consumidores", "Base")
     assert chain.code == 0
     assert [args["end_point"] for _, args in server.bridge.services.calls] == [19, 0]
+
+
+async def test_a_pause_by_a_service_of_another_type_never_leaves_a_fresh_process(
+    server: RosbridgeServer, folder: Path
+) -> None:
+    service = "/robot_0/Application_layout/Pause"
+    server.bridge.services.offered[service] = replace(
+        server.bridge.services.offered[service], name="nav2_msgs/srv/ManageLifecycleNodes"
+    )
+    done = await run(folder, "pause", "robot_0")
+    assert done.code == 1 and "has type nav2_msgs/srv/ManageLifecycleNodes, not std_srvs/Trigger" in done.err
+    assert not server.bridge.services.calls

@@ -53,7 +53,7 @@ async def test_a_service_of_another_type_is_not_called(server: RosbridgeServer) 
     assert [service for service, _ in server.bridge.services.calls] == [PAUSE]
 
 
-async def test_a_resume_waits_for_the_types_of_a_slow_rosapi_and_a_pause_does_not(
+async def test_a_resume_waits_for_the_types_of_a_slow_rosapi_and_a_pause_only_for_its_own(
     server: RosbridgeServer,
 ) -> None:
     manager = replace(server.bridge.services.offered[RESUME], name="nav2_msgs/srv/ManageLifecycleNodes")
@@ -65,6 +65,24 @@ async def test_a_resume_waits_for_the_types_of_a_slow_rosapi_and_a_pause_does_no
         record = await finished(link, store, ResumeRobot("robot_0"))
         assert record.stage is Stage.NOT_SENT and "ManageLifecycleNodes" in record.detail
     assert [service for service, _ in server.bridge.services.calls] == [PAUSE]
+
+
+async def test_a_pause_asks_for_the_type_of_its_service_before_it_leaves(server: RosbridgeServer) -> None:
+    manager = replace(server.bridge.services.offered[PAUSE], name="nav2_msgs/srv/ManageLifecycleNodes")
+    server.bridge.services.offered[PAUSE] = manager
+    server.bridge.services.frozen["/rosapi/services"] = 2.0
+    async with linked(config_of(server.url, 1)) as (link, store):
+        await store.until(phase(Phase.UP))
+        record = await finished(link, store, PauseRobot("robot_0"))
+        assert record.stage is Stage.NOT_SENT and "ManageLifecycleNodes" in record.detail
+    assert not server.bridge.services.calls
+
+
+async def test_a_pause_leaves_at_last_without_a_type(server: RosbridgeServer) -> None:
+    server.bridge.services.silent_services.update(server.bridge.services.rosapi.services)
+    async with linked(config_of(server.url, 1)) as (link, store):
+        await store.until(phase(Phase.UP))
+        assert (await finished(link, store, PauseRobot("robot_0"))).stage is Stage.CONFIRMED
 
 
 async def test_a_resume_is_sent_late_where_the_type_is_right(server: RosbridgeServer) -> None:
