@@ -1,11 +1,14 @@
 """What other consoles of this machine send to robots, as their audit log tells it while this console runs."""
 
 import logging
+import re
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from datetime import datetime
 from pathlib import Path
+
+from msgspec.structs import replace
 
 from fleet_tui.audit.file import FILE_NAME
 from fleet_tui.audit.log import console_name
@@ -23,20 +26,29 @@ LOG = logging.getLogger(__name__)
 EVERY = 0.2
 """Seconds between two looks at the log."""
 STAGES = {stage.value: stage for stage in Stage if stage not in NOT_LEFT}
+GOES_ON = re.compile(r"order (\S+): ")
+"""Words of an order that waits for its next goal: they name the last one."""
 
 
 def command_of(record: AuditRecord, state: FleetState, console: str, at: float) -> CommandElsewhere | None:
     """Return the command that a record of another console than this one tells about, None for none. `at`:
     its monotonic second. Robots of other sites have the same names: its link must be that of ours."""
-    robot, stage = state.robots.get(record.robot), STAGES.get(record.change)
+    kept = GOES_ON.match(record.words) if record.change == Stage.WAITING.value else None
+    robot, stage = state.robots.get(record.robot), Stage.WAITING if kept else STAGES.get(record.change)
     if record.kind != "command" or record.console == console or robot is None or stage is None:
         return None
     if _address(record.url) != _address(state.links[robot.link].url):
         return None
     key, order_id = f"{record.run} {record.id}", (record.order or "") if record.what in REMOVES else ""
-    return CommandElsewhere(
+    found = CommandElsewhere(
         key, robot.name, order_id, record.operator, record.console, at, stage, record.what
     )
+    if record.what != "order" or not robot.kind.keeps_goals:
+        return found
+    goal = kept[1] if kept else record.order if stage is Stage.CONFIRMED else None
+    names = (record.start_label or record.start, record.end_label or record.end)
+    way = " -> ".join(filter(None, names))
+    return replace(found, goals=(goal,) if goal else (), way=way, goes_on=kept is not None)
 
 
 def _address(url: str) -> str:

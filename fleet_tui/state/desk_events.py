@@ -70,13 +70,18 @@ def _of_this_fleet(state: FleetState, other: Colleague) -> Colleague:
 
 
 def _with_command(state: FleetState, command: CommandElsewhere) -> tuple[CommandElsewhere, ...]:
-    """Keep the time at which a command was sent, whatever became of it."""
+    """Keep the time at which a command was sent, whatever became of it, and the goals of an order."""
     known = state.desk.elsewhere
-    sent = next((one.at for one in known if one.key == command.key), command.at)
+    before = next((one for one in known if one.key == command.key), command)
+    goals = tuple(dict.fromkeys((*before.goals, *command.goals)))
+    goes_on = command.goes_on if command.goals else before.goes_on
+    command = replace(command, at=min(before.at, command.at), goals=goals, goes_on=goes_on)
     kept = [
-        one for one in known if one.key != command.key and (one.removes or state.now - one.at < OTHERS_FOR)
+        one
+        for one in known
+        if one.key != command.key and (one.removes or one.goals or state.now - one.at < OTHERS_FOR)
     ]
-    return (*kept, replace(command, at=min(sent, command.at)))[-ELSEWHERE_KEPT:]
+    return (*kept, command)[-ELSEWHERE_KEPT:]
 
 
 def _without(desk: Desk, robot: str) -> tuple[str, ...]:

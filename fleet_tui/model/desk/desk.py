@@ -40,7 +40,9 @@ REMOVES = ("cancel", "clear")
 class CommandElsewhere(Struct, frozen=True):
     """A command that another console sent to a robot: `order_id` is the order that it removes, empty for all
     or none; `at` the monotonic second of its sending, or if it `is_arrival` of its news, `stage` its newest;
-    `key` identifies it; `by` is the operator, `console` host:process, `what` its name in the audit log."""
+    `key` identifies it; `by` is the operator, `console` host:process, `what` its name in the audit log. Of an
+    order `goals` are those by which its robot has driven it so far, in sequence, as far as that is known,
+    `way` are its first and last stop; `goes_on`: the last goal has ended, and its console keeps the next."""
 
     key: str
     robot: str
@@ -51,6 +53,14 @@ class CommandElsewhere(Struct, frozen=True):
     stage: Stage
     what: str
     is_arrival: bool = False
+    goals: tuple[str, ...] = ()
+    way: str = ""
+    goes_on: bool = False
+
+    @property
+    def parts(self) -> tuple[str, ...]:
+        """Return the goals whose end is not its own."""
+        return self.goals if self.goes_on else self.goals[:-1]
 
     @property
     def removes(self) -> bool:

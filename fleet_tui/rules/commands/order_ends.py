@@ -66,6 +66,10 @@ def seen_end(state: FleetState, robot: Robot, gone: GoneOrder) -> ExplainedEnd:
     if record is not None and record.stage in ORDER_ENDS:
         return ExplainedEnd(record.stage, record.detail.removeprefix(f"order {record.order_id}: "))
     end = end_of(state, robot, gone, record)
+    if (elsewhere := given_elsewhere(state, robot, gone.order)) and elsewhere.stage not in ORDER_ENDS:
+        # Its console knows whether that was the end, unless it is gone: then a first goal is none.
+        is_open = robot.kind.gives_stops and " -> " in elsewhere.way and len(elsewhere.goals) == 1
+        return end._replace(is_open=is_open or state.now - gone.at < EVIDENCE_WITHIN)
     # Its command waits for the robot's own answer, which may tell of stops that were missed.
     waits = record is not None and robot.kind.keeps_goals and state.now - gone.at < ANSWERED_WITHIN
     return end._replace(is_open=end.is_open or waits)
@@ -73,8 +77,9 @@ def seen_end(state: FleetState, robot: Robot, gone: GoneOrder) -> ExplainedEnd:
 
 def ended_orders(state: FleetState, robot: Robot) -> list[GoneOrder]:
     """Return the orders that ended, the newest last. A goal that led to a stop on the way, or that a pause of
-    this console ended, is a part of an order that goes on."""
+    its console ended, is a part of an order that goes on."""
     parts = {id_ for one in state.commands if one.command.robot == robot.name for id_ in one.earlier_goals}
+    parts.update(id_ for one in state.desk.elsewhere if one.robot == robot.name for id_ in one.parts)
     return [gone for gone in robot.gone if gone.order.id not in parts]
 
 
@@ -88,6 +93,13 @@ def placed_by(state: FleetState, robot: Robot, order: Order) -> CommandRecord | 
         and record.order_serial == order.serial
     )
     return next(found, None)
+
+
+def given_elsewhere(state: FleetState, robot: Robot, order: Order) -> CommandElsewhere | None:
+    """Return the command of another console that gave an order goal by goal, None if it is not known."""
+    return next(
+        (one for one in state.desk.elsewhere if one.robot == robot.name and order.id in one.goals), None
+    )
 
 
 def removals(

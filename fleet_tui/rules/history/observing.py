@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping
 from functools import partial
 
 from fleet_tui.model.alarm import Key
-from fleet_tui.model.commands import CORRECTABLE, ORDER_ENDS, CommandRecord, PlaceOrder, Stage
+from fleet_tui.model.commands import CORRECTABLE, OPEN, ORDER_ENDS, CommandRecord, PlaceOrder, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.facts import Charge, LaterCause, LinkChange, OrderChange, Span
 from fleet_tui.model.link import LinkState, Phase
@@ -13,7 +13,13 @@ from fleet_tui.model.order_life import OrderTrace
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.told import told
 from fleet_tui.rules.commands.local_queue import GOING
-from fleet_tui.rules.commands.order_ends import ended_orders, placed_by, seen_end
+from fleet_tui.rules.commands.order_ends import (
+    EVIDENCE_WITHIN,
+    ended_orders,
+    given_elsewhere,
+    placed_by,
+    seen_end,
+)
 from fleet_tui.rules.history.activity import activity, may_do_anything
 from fleet_tui.rules.why.reason import name_of
 
@@ -84,12 +90,13 @@ class Observer:
     def _orders(self, state: FleetState, robot: Robot) -> Iterator[OrderChange]:
         yield from self._order_ends(state, robot)
         traces = self._traces.get(robot.name)
-        if traces is robot.traces or _is_sending(state, robot):
+        if traces is robot.traces or _is_sending(state, robot) or _may_be_told(state, robot):
             return
         self._traces[robot.name] = robot.traces
         for id_, trace in robot.traces.items():
             record = placed_by(state, robot, trace.order)
-            if record is not None and record.earlier_goals:
+            elsewhere = given_elsewhere(state, robot, trace.order)
+            if (record and record.earlier_goals) or (elsewhere and elsewhere.goals[0] != id_):
                 continue  # it was told with its first goal
             known = traces.get(id_) if traces else None
             if known is not None and not _is_same(known.order, trace.order):
@@ -116,12 +123,10 @@ class Observer:
             if before is not end.stage:
                 record = placed_by(state, robot, gone.order)
                 yield _change(state, robot, gone.order, record, gone.at, end.stage.value, end.reason)
-        for record in state.commands:
-            if record.command.robot == robot.name and _ended_between_goals(record):
-                key = record.earlier_goals[0], record.at
-                now[key] = record.stage
-                if key not in told:
-                    yield _end_between_goals(state, robot, record)
+        for key, change in _ends_between_goals(state, robot):
+            now[key] = Stage(change.stage)
+            if key not in told:
+                yield change
         if now or told:
             self._ends[robot.name] = now
 
@@ -170,17 +175,47 @@ def _is_sending(state: FleetState, robot: Robot) -> bool:
     )
 
 
-def _ended_between_goals(record: CommandRecord) -> bool:
-    """Tell whether an order ended while the console kept its next goal, or as that was not taken."""
-    return bool(record.earlier_goals) and record.is_decided and record.order_serial is None
+def _may_be_told(state: FleetState, robot: Robot) -> bool:
+    """Tell whether another console drives an order of a robot goal by goal, and may just now tell that a new
+    goal belongs to it."""
+    is_driven = any(
+        one.robot == robot.name
+        and one.way
+        and (one.stage in GOING or (one.goals and one.stage not in ORDER_ENDS))
+        for one in state.desk.elsewhere
+    )
+    return is_driven and any(
+        given_elsewhere(state, robot, trace.order) is None
+        and trace.listed_at is not None
+        and state.now - trace.listed_at < EVIDENCE_WITHIN
+        for trace in robot.traces.values()
+    )
 
 
-def _end_between_goals(state: FleetState, robot: Robot, record: CommandRecord) -> OrderChange:
-    assert isinstance(record.command, PlaceOrder)
-    order = Order(record.earlier_goals[0], record.command.stops, None, "", 0)
-    end = record.stage if record.stage in ORDER_ENDS else Stage.FAILED
-    reason = record.detail if end is record.stage else f"{record.stage.value}: {record.detail}"
-    return _change(state, robot, order, record, record.at, end.value, reason)
+def _ends_between_goals(state: FleetState, robot: Robot) -> Iterator[tuple[_Gone, OrderChange]]:
+    """Yield the ends of orders that ended while their console kept the next goal, or as it was not taken."""
+    for record in state.commands:
+        command = record.command
+        if command.robot != robot.name or not isinstance(command, PlaceOrder):
+            continue
+        if record.earlier_goals and record.is_decided and record.order_serial is None:
+            first = record.earlier_goals[0]
+            end, reason = _end_of(record.stage, record.detail)
+            order = Order(first, command.stops, None, "", 0)
+            yield (first, record.at), _change(state, robot, order, record, record.at, end, reason)
+    for one in state.desk.elsewhere:
+        if one.robot == robot.name and one.goes_on and one.stage not in OPEN:
+            first = one.goals[0]
+            end, reason = _end_of(one.stage)
+            order = Order(first, (), None, "", 0)
+            yield (first, one.at), _change(state, robot, order, None, state.now, end, reason)
+
+
+def _end_of(stage: Stage, detail: str = "") -> tuple[str, str]:
+    """Return the end and the reason of an order whose next goal was not taken."""
+    if stage in ORDER_ENDS:
+        return stage.value, detail
+    return Stage.FAILED.value, f"{stage.value}: {detail}".removesuffix(": ")
 
 
 def _is_same(one: Order, other: Order) -> bool:
@@ -205,7 +240,11 @@ def _change(
     reason: str = "",
 ) -> OrderChange:
     """`record` placed it; None for another client's."""
+    elsewhere = given_elsewhere(state, robot, order)
     way = order.label or route_text(order.stops, partial(name_of, robot))
     request = record.id if record else None
     name = record.earlier_goals[0] if record and record.earlier_goals else order.id
+    if elsewhere is not None:
+        way = elsewhere.way
+        name = elsewhere.goals[0]
     return OrderChange(robot.name, name, way, _wall(state, at), stage, robot.floor or "", reason, request)
