@@ -66,7 +66,7 @@ def tell(server: subprocess.Popen[bytes], kind: str) -> None:
 
 def main() -> list[Row]:
     rows = []
-    for kind in ("cbor", "json"):
+    for kind in ("cbor", "png", "json"):
         before, gap, seconds, megabytes = arrive(kind)
         what = f"live map {SIDE} x {SIDE} as {kind}"
         rows += [

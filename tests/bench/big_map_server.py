@@ -1,7 +1,8 @@
 """The simulator with a map of 4000 x 4000 for robot_0 that it publishes when a line comes in.
 
-`cbor`: as the console asked for it; `json`: as text, like a bridge that knows no CBOR. Every line is
-answered when the frame is on its way; the server ends with its standard input.
+`cbor`: as the console asks a bridge of ROS 1 for it; `png`: as it asks one of ROS 2; `json`: as text, like a
+bridge that knows no CBOR. Every line is answered when the frame is on its way; the server ends with its
+standard input.
 """
 
 import asyncio
@@ -17,6 +18,8 @@ from fleet_tui.simulator.server import RosbridgeServer
 
 SIDE = 4000
 TOPIC = "/robot_0/floor_0/map"
+ASKED = {"cbor": "cbor", "png": "png", "json": "none"}
+"""The compression of each kind."""
 
 
 def big_map() -> dict[str, object]:
@@ -37,7 +40,7 @@ async def serve(robots: int) -> None:
     server = RosbridgeServer(World(robots, 1, seed=1))
     publication = OutgoingFrame(TOPIC, Payload(big_map()))
     # Made beforehand: making them must not take from the console what is measured.
-    frames = {"cbor": publication.frame("cbor"), "json": publication.frame("none")}
+    frames = {kind: publication.frame(asked) for kind, asked in ASKED.items()}
     await server.start()
     print(server.url, flush=True)
     loop = asyncio.get_running_loop()
