@@ -11,14 +11,14 @@ import time
 
 import numpy as np
 
-from fleet_tui.simulator.frames import OutgoingFrame, Payload
+from fleet_tui.simulator.frames import Compression, OutgoingFrame, Payload
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.ros.ros1 import ROS1
 from fleet_tui.simulator.server import RosbridgeServer
 
 SIDE = 4000
 TOPIC = "/robot_0/floor_0/map"
-ASKED = {"cbor": "cbor", "png": "png", "json": "none"}
+ASKED: dict[str, Compression] = {"cbor": "cbor", "png": "png", "json": "none"}
 """The compression of each kind."""
 
 

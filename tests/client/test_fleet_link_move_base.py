@@ -162,8 +162,13 @@ async def test_topics_of_commands_are_advertised_before_they_are_needed(site: Mo
 
 async def test_a_console_that_may_send_nothing_advertises_nothing(site: MoveBaseSite) -> None:
     """One that is not armed may pause."""
-    for operator, advertises in ((Operator(read_only=True), False), (Operator(armed=False), True)):
-        async with linked(msgspec.structs.replace(site.config, operator=operator)) as (_, store):
+    changed = msgspec.structs.replace
+    for config, advertises in (
+        (changed(site.config, operator=Operator(read_only=True)), False),
+        (changed(site.config, watches=True), False),
+        (changed(site.config, operator=Operator(armed=False)), True),
+    ):
+        async with linked(config) as (_, store):
             await store.until(known)
             assert bool(site.advertised()) == advertises
 

@@ -37,7 +37,7 @@ class BridgeLink:
         probes = {
             robot.name: one
             for robot in config.robots
-            if robot.link == name and asks_node
+            if robot.link == name and asks_node and not config.watches
             for one in adapters[robot.name].probes(robot.name)
             if isinstance(one, LifecycleProbe)
         }
