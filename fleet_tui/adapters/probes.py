@@ -5,6 +5,7 @@ from typing import Literal, NamedTuple
 
 from fleet_tui.model.events import Event
 from fleet_tui.model.navigation import DOWN, MUTE, Servers
+from fleet_tui.model.ros_logs import PartDiagnosis
 
 
 class Diagnosis(NamedTuple):
@@ -54,7 +55,8 @@ class LifecycleProbe(NamedTuple):
     """The lifecycle of the servers that drive a robot: `service` of their manager tells whether they are
     active, harmless to call at any time, and `nodes` has the service of each that tells its state, of type
     `node_type`, in the order of their start; those `needed` are down if theirs is not listed. `judge` gets
-    the manager's answer, a text if the call failed, and the states; `remedy` if it does not exist."""
+    the manager's answer, a text if the call failed, or what it publishes about the part `diagnosed` of
+    /diagnostics, and the states; `remedy` if it does not exist."""
 
     check: str
     service: str
@@ -64,10 +66,25 @@ class LifecycleProbe(NamedTuple):
     needed: frozenset[str]
     judge: Callable[[object, Mapping[str, str]], Servers]
     remedy: str
+    diagnosed: str = ""
 
     def is_active(self, answer: object) -> bool:
         """Tell whether the manager says that all are active: then none has to be asked."""
         return self.judge(answer, {}).is_active
+
+    def diagnosis(self, health: Mapping[str, PartDiagnosis], listed: Collection[str]) -> PartDiagnosis | None:
+        """Return what the manager publishes about itself, None if nothing is surely its own: a node leaves
+        its namespace out by default, and with it which of several managers it is. `listed` are all
+        services."""
+        node, _, verb = self.service.rpartition("/")
+        name = node.rpartition("/")[2]
+        named = health.get(f"{node}: {self.diagnosed}")
+        unnamed = health.get(f"{name}: {self.diagnosed}")
+        if named is not None or unnamed is None:
+            return named
+        namesake = f"/{name}/{verb}"
+        is_alone = not any(one.endswith(namesake) and one != self.service for one in listed)
+        return unnamed if is_alone else None
 
     def unlisted(self, listed: Collection[str]) -> dict[str, str]:
         """Return the needed nodes that are not there, as states."""

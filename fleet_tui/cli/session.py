@@ -82,7 +82,12 @@ def is_known(state: FleetState) -> bool:
         link.phase is Phase.UP and link.command_path is not CommandPath.UNTRIED
         for link in state.links.values()
     )
-    awaited = (missing(robot) or may_be_back(state, robot) for robot in state.robots.values())
+    awaited = (
+        missing(robot)
+        or may_be_back(state, robot)
+        or (robot.kind.expects("servers") and robot.servers is None)
+        for robot in state.robots.values()
+    )
     return links and not any(awaited)
 
 

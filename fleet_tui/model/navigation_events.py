@@ -89,11 +89,12 @@ class MotionStopped(Struct, frozen=True, tag=True):
 
 
 class ServersReported(Struct, frozen=True, tag=True):
-    """Whether the servers that drive a robot are active; `servers.since` is that of this report."""
+    """Whether the servers that drive a robot are active, None if nothing tells; `servers.since` is that of
+    this report."""
 
     robot: str
     at: float
-    servers: Servers
+    servers: Servers | None
 
 
 class PlanReported(Struct, frozen=True, tag=True):

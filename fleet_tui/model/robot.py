@@ -128,7 +128,7 @@ class Robot(Struct, frozen=True, eq=False):
     located_by: Literal["", "topic", "transforms", "feedback"] = ""
     adrift_at: float | None = None
     motion: Reading[ReportedMotion] | None = None
-    servers: Reading[Servers] | None = None
+    servers: Reading[Servers | None] | None = None
     variance: Reading[float] | None = None
     blocked: Reading[Blocked] | None = None
     progress: Reading[Progress] | None = None

@@ -13,10 +13,9 @@ from fleet_tui.situation.facts import INACTIVE, NAVIGATION_SILENT
 from fleet_tui.text.units import age
 
 NO_ODOMETRY = "Check its wheel odometry: the node of its base, the topic's name"
-ASKED_WITHIN = 30.0
 LOGGED_WITHIN = 60.0
-"""Seconds for which an answer about the servers counts, which are asked every few seconds, and a line of the
-log: the one that all are active again is no warning, and not read."""
+"""Seconds for which a line of the log counts: the one that all are active again is no warning, and not
+read."""
 _BOND_BROKEN = re.compile(r"SERVER (\w+) IS DOWN")
 """What the lifecycle manager logs of a node whose bond is broken."""
 
@@ -35,7 +34,7 @@ def inactive_cause(servers: Servers, is_counted: bool, is_placed: bool) -> tuple
     return "paused or not started", "Start it: by RViz's Nav2 panel, or nav2_bringup with autostart"
 
 
-def _logged(robot: Robot) -> Reading[Servers] | None:
+def _logged(robot: Robot) -> Reading[Servers | None] | None:
     """Return the node whose end the lifecycle manager logged, for a console that may ask nobody."""
     for line in reversed(robot.logged):
         if found := _BOND_BROKEN.search(line.text):
@@ -45,16 +44,16 @@ def _logged(robot: Robot) -> Reading[Servers] | None:
 
 def inactive(state: FleetState, robot: Robot) -> Fact | None:
     """Find that the servers that drive a robot are not active: they reject every goal."""
-    answered, logged = robot.servers, _logged(robot)
-    if answered is not None and state.now - answered.at <= ASKED_WITHIN:
-        told, evidence = answered, "its lifecycle manager says so: every goal is rejected"
+    told, logged = robot.servers, _logged(robot)
+    if told is not None and told.value is not None and state.is_fresh(robot, "servers"):
+        evidence = "its lifecycle manager says so: every goal is rejected"
     elif logged is not None and state.now - logged.at <= LOGGED_WITHIN:
         told, evidence = logged, "the log of its lifecycle manager says so"
     else:
         return None
-    if told.value.is_active or not state.is_online(robot):
-        return None
     servers = told.value
+    if servers is None or servers.is_active or not state.is_online(robot):
+        return None
     is_counted = not robot.kind.odometry_topic or robot.odometry_at is not None
     cause, remedy = inactive_cause(servers, is_counted, robot.pose is not None)
     return Fact(

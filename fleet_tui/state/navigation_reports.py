@@ -70,9 +70,11 @@ def _take_word(robot: Robot, event: navigation_events.OwnWord) -> Robot:
 
 def _take_servers(robot: Robot, event: navigation_events.ServersReported) -> Robot:
     before = robot.servers.value if robot.servers is not None else None
-    goes_on = before is not None and before.is_active is event.servers.is_active
-    since = before.since if before is not None and goes_on else event.at
-    return replace(robot, servers=Reading(replace(event.servers, since=since), event.at))
+    servers = event.servers
+    if servers is not None:
+        goes_on = before is not None and before.is_active is servers.is_active
+        servers = replace(servers, since=before.since if before is not None and goes_on else event.at)
+    return replace(robot, servers=Reading(servers, event.at))
 
 
 def _take_error(robot: Robot, event: navigation_events.ErrorReported) -> Robot:

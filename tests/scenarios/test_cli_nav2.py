@@ -8,6 +8,7 @@ import pytest
 
 from fleet_tui.recording.indexing import open_recording
 from fleet_tui.recording.records import Keyframe
+from fleet_tui.simulator.nav2.faults import FAULTS
 from fleet_tui.simulator.nav2.navigation import TO_POSE
 from fleet_tui.simulator.ros.goals import EXECUTING, SUCCEEDED
 from tests.support.cli import audited, run
@@ -52,6 +53,24 @@ async def test_the_table_of_the_fleet(site: Site, tmp_path: Path) -> None:
     done = await run(tmp_path, "status")
     assert (done.code, done.err) == (0, ""), done.out
     assert "robot_1" in done.out and "cargo" not in done.out.lower() and "missing" not in done.out
+
+
+@pytest.mark.parametrize(
+    ("fault", "text"),
+    [
+        ("inactive", "robot_0: Nav2 inactive: paused or not started"),
+        ("node-down", "robot_0: Nav2 inactive: controller_server down"),
+        ("bring-up", "robot_0: Nav2 inactive: no pose yet: set one"),
+    ],
+)
+async def test_status_names_a_navigation_that_is_not_active(
+    site: Site, tmp_path: Path, fault: str, text: str
+) -> None:
+    site.server.speed = 1.0
+    FAULTS[fault][1](site.server, "robot_0")
+    done = await run(tmp_path, "status")
+    assert done.code == 1 and text in done.out, done.out
+    assert site.server.bridge.services.calls == []
 
 
 async def test_an_order_until_it_is_driven(site: Site, tmp_path: Path) -> None:

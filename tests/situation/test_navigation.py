@@ -3,6 +3,7 @@
 import pytest
 from msgspec.structs import replace
 
+from fleet_tui.adapters.nav2.adapter import SERVERS_SILENCE
 from fleet_tui.cli.status.report import attention
 from fleet_tui.model.events import TimePassed
 from fleet_tui.model.fleet import FleetState
@@ -10,7 +11,7 @@ from fleet_tui.model.navigation import DOWN, Servers
 from fleet_tui.model.navigation_events import ServersReported
 from fleet_tui.model.robot import Logged
 from fleet_tui.rules.why.why import reasons
-from fleet_tui.situation.navigation import ASKED_WITHIN, inactive, inactive_cause
+from fleet_tui.situation.navigation import inactive, inactive_cause
 from fleet_tui.view.tables.news import in_cells, news, shortened_news
 from tests.support.fleets import R0, T0, WALL, reduced
 from tests.support.nav2_goals import localised, nav2, odometry, unheard
@@ -66,14 +67,14 @@ def test_the_first_cause_is_told(servers: Servers, is_counted: bool, is_placed: 
 
 def test_what_was_told_long_ago_means_nothing_now() -> None:
     state = asked(KILLED, 3)
-    later = T0 + 3 + ASKED_WITHIN + 1
+    later = T0 + 3 + SERVERS_SILENCE + 1
     state = reduced(state, odometry(later), TimePassed(later, WALL + later))
     assert inactive(state, state.robots[R0]) is None
 
 
 def test_the_log_tells_of_a_dead_node_where_the_last_answer_is_old() -> None:
     state = asked(Servers(True), 3)
-    later = T0 + 3 + ASKED_WITHIN + 1
+    later = T0 + 3 + SERVERS_SILENCE + 1
     state = reduced(state, odometry(later), TimePassed(later, WALL + later))
     line = Logged("CRITICAL FAILURE: SERVER bt_navigator IS DOWN", later)
     fact = inactive(state, replace(state.robots[R0], logged=(line,)))

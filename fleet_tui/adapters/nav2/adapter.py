@@ -23,6 +23,8 @@ from fleet_tui.model.set_up.commands import SendGraph, SetUpCommand, StoreMap
 
 REPORTS = ("blocked", "map", "queue", "progress")
 """Values besides position and charge; the last two are from the actions."""
+SERVERS_SILENCE = 30.0
+"""Seconds after which the state of the servers is old: all robots of a link are asked one after the other."""
 DRIVES = ("follow_waypoints", "navigate_to_pose")
 """The actions with which orders are given."""
 STATUS_TYPE = "action_msgs/GoalStatusArray"
@@ -45,8 +47,9 @@ class Nav2(NavigationAdapter):
             **{action: reading.read_goals(action) for action in ACTIONS},
             **{f"{action} feedback": reading.read_feedback() for action in FEEDBACK_TYPES},
         }
-        silence = {"queue": math.inf, "blocked": math.inf}
-        self.kind = kind_of_goals("nav2", self.names, self.pauses, self.set_up, REPORTS, silence)
+        silence = {"queue": math.inf, "blocked": math.inf, "servers": SERVERS_SILENCE}
+        reports = (*REPORTS, "servers") if self.names.service("is_active", "robot") else REPORTS
+        self.kind = kind_of_goals("nav2", self.names, self.pauses, self.set_up, reports, silence)
 
     def feeds(self, robot: str, floors: Sequence[str]) -> Iterable[Feed]:
         """Return the topics to subscribe to, the most urgent first. A bridge subscribes one by one: goals

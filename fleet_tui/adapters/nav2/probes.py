@@ -6,6 +6,7 @@ from fleet_tui.adapters.probes import ActionProbe, BridgeProbe, Diagnosis, Lifec
 from fleet_tui.adapters.ros.names import Names
 from fleet_tui.adapters.ros_navigation.probes import message_probes
 from fleet_tui.model.navigation import DOWN, Servers
+from fleet_tui.model.ros_logs import Health, PartDiagnosis
 
 NEEDED = {"navigate_to_pose": "bt_navigator", "follow_waypoints": "waypoint_follower"}
 """Actions by which orders are driven, and the node of each."""
@@ -24,6 +25,7 @@ SERVERS = (
 REQUIRED = frozenset({"controller_server", "planner_server", "behavior_server", "bt_navigator"})
 """Those without which Nav2 drives nowhere."""
 GET_STATE = "lifecycle_msgs/GetState"
+DIAGNOSED = "Nav2 Health"
 ACTIVE = "active"
 
 HUMBLE = (
@@ -48,7 +50,7 @@ def probes(names: Names, robot: str) -> Iterator[Probe]:
         space = service.rpartition("/")[0].rpartition("/")[0]
         nodes = {node: f"{space}/{node}/get_state" for node in SERVERS}
         yield LifecycleProbe(
-            "lifecycle", service, type_, nodes, GET_STATE, REQUIRED, judge_lifecycle, missing
+            "lifecycle", service, type_, nodes, GET_STATE, REQUIRED, judge_lifecycle, missing, DIAGNOSED
         )
     yield from message_probes(names, robot)
 
@@ -66,7 +68,12 @@ def judge_bridge(ros: int, distro: str) -> Diagnosis:
 def judge_lifecycle(answer: object, states: Mapping[str, str]) -> Servers:
     """Judge whether the nodes of Nav2 are active, by the word of their manager, which does not answer while
     it waits for one of them, and by their own."""
-    if isinstance(answer, Mapping) and answer.get("success") is True:
+    if isinstance(answer, PartDiagnosis):
+        # "Nav2 is active" up to Humble, later "Managed nodes are active": also "are inactive" is no error.
+        says_active = answer.level == Health.OK and answer.message.split()[-1:] == ["active"]
+    else:
+        says_active = isinstance(answer, Mapping) and answer.get("success") is True
+    if says_active:
         return Servers(True)
     idle = {node: state for node in SERVERS if (state := states.get(node, ACTIVE)) != ACTIVE}
     if states and not idle and not isinstance(answer, Mapping):

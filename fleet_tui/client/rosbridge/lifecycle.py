@@ -1,21 +1,24 @@
-"""Whether the servers that drive robots are active, asked on a connection of its own: a manager that waits
-for one of them does not answer, and a bridge of Humble handles nothing else on a connection until it does."""
+"""Whether the servers that drive robots are active: asked, or read by a console that asks no node."""
 
 import asyncio
 import logging
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from time import monotonic
 
+from fleet_tui.adapters.adapter import Adapter
 from fleet_tui.adapters.probes import LifecycleProbe, lifecycle_label
 from fleet_tui.adapters.ros import operations
 from fleet_tui.client.rosbridge.answers import decoded
 from fleet_tui.client.rosbridge.calls import GRACE, Calls, NoAnswerError
 from fleet_tui.client.rosbridge.services import Services
 from fleet_tui.client.writer import Writer
-from fleet_tui.config.schema import Link
+from fleet_tui.config.schema import Config, Link
 from fleet_tui.errors import LinkError
-from fleet_tui.model.navigation import MUTE
+from fleet_tui.model.counters import LinkCounter
+from fleet_tui.model.events import Event
+from fleet_tui.model.navigation import MUTE, Servers
 from fleet_tui.model.navigation_events import ServersReported
+from fleet_tui.rules.causes import DIAGNOSED_WITHIN
 from fleet_tui.transports.rosbridge.connection import Connection
 
 LOG = logging.getLogger(__name__)
@@ -23,10 +26,85 @@ LOG = logging.getLogger(__name__)
 EVERY = 5.0
 WITHIN = 2.0
 """Seconds between two rounds, and for an answer."""
+LOOK_EVERY = 0.1
+FIRST_LOOKS = 20
+"""Seconds between looks on a new connection, and their number until it has the list of services and what the
+managers publish once a second."""
+LIST_EVERY = 30.0
+"""Seconds after which a node may be gone from the list while its manager calls itself active."""
+
+
+def lifecycle_probes(config: Config, adapters: Mapping[str, Adapter], link: str) -> dict[str, LifecycleProbe]:
+    """Return the probes of a link by robot."""
+    return {
+        robot.name: one
+        for robot in config.robots
+        if robot.link == link
+        for one in adapters[robot.name].probes(robot.name)
+        if isinstance(one, LifecycleProbe)
+    }
+
+
+class ReadLifecycle:
+    """Reads the list of services, in which a node that is down is missing, and what the managers publish:
+    they go on to call themselves active while they wait for such a node. Runs on the network loop."""
+
+    def __init__(
+        self,
+        probes: Mapping[str, LifecycleProbe],
+        services: Services,
+        counter: LinkCounter,
+        apply: Callable[[Event], None],
+    ) -> None:
+        """`probes` by robot."""
+        self._probes = probes
+        self._services = services
+        self._counter = counter
+        self._apply = apply
+        self._task: asyncio.Task[None] | None = None
+
+    def start(self) -> None:
+        """Begin on a new connection, if there is a robot to look at."""
+        if self._probes:
+            self._task = asyncio.ensure_future(self._run())
+
+    async def _run(self) -> None:
+        for _ in range(FIRST_LOOKS):
+            await asyncio.sleep(LOOK_EVERY)
+            if None not in map(self._servers, self._probes.values()):
+                break
+        listed_at = monotonic()
+        while True:
+            # A bridge that just started lists only some, and the list of a large site is large.
+            if any(map(self._down, self._probes.values())) or monotonic() - listed_at > LIST_EVERY:
+                await self._services.list_again()
+                listed_at = monotonic()
+            for robot, probe in self._probes.items():
+                self._apply(ServersReported(robot, monotonic(), self._servers(probe)))
+            await asyncio.sleep(EVERY)
+
+    def _down(self, probe: LifecycleProbe) -> dict[str, str]:
+        """Return the needed nodes that are not there, of a robot whose manager is."""
+        listed = self._services.listed
+        return probe.unlisted(listed) if probe.service in listed else {}
+
+    def _servers(self, probe: LifecycleProbe) -> Servers | None:
+        if down := self._down(probe):
+            return probe.judge(MUTE, down)
+        diagnosis = probe.diagnosis(self._counter.health, self._services.listed)
+        if diagnosis is None or monotonic() - diagnosis.at > DIAGNOSED_WITHIN:
+            return None
+        return probe.judge(diagnosis, {})
+
+    def stop(self) -> None:
+        if self._task is not None:
+            self._task.cancel()
 
 
 class Lifecycle:
-    """Asks one robot after the other. Runs on the network loop."""
+    """Asks one robot after the other, on a connection of its own: a manager that waits for one of its nodes
+    does not answer, and a bridge of Humble handles nothing else on a connection until it does. Runs on the
+    network loop."""
 
     def __init__(
         self,

@@ -3,11 +3,10 @@
 from collections.abc import Mapping
 
 from fleet_tui.adapters.adapter import Adapter
-from fleet_tui.adapters.probes import LifecycleProbe
 from fleet_tui.client.rosbridge.calls import rosapi_places
 from fleet_tui.client.rosbridge.command_channel import CommandChannel
 from fleet_tui.client.rosbridge.driving.drive import Drive
-from fleet_tui.client.rosbridge.lifecycle import Lifecycle
+from fleet_tui.client.rosbridge.lifecycle import Lifecycle, lifecycle_probes
 from fleet_tui.client.rosbridge.telemetry import Telemetry
 from fleet_tui.client.writer import Writer
 from fleet_tui.config.fleet import drive_of, publications_of
@@ -34,13 +33,7 @@ class BridgeLink:
         self.counter = self._telemetry.counter
         advertised = publications_of(config, adapters, name)
         asks_node = not config.operator.read_only
-        probes = {
-            robot.name: one
-            for robot in config.robots
-            if robot.link == name and asks_node and not config.watches
-            for one in adapters[robot.name].probes(robot.name)
-            if isinstance(one, LifecycleProbe)
-        }
+        probes = lifecycle_probes(config, adapters, name) if asks_node else {}
         self._lifecycle = Lifecycle(name, bridge, probes, self._telemetry.services, writer, self._places)
         self._commands = CommandChannel(
             name, bridge, adapters, writer, timeout, self._telemetry, advertised, self._places, asks_node

@@ -1,5 +1,4 @@
-"""The robots' logs and diagnostics, which don't affect the fleet state: subscribed only while they are on
-screen."""
+"""The robots' logs and diagnostics: subscribed while they are on screen or may tell a cause."""
 
 import asyncio
 from collections.abc import Awaitable, Callable, Mapping
@@ -20,11 +19,18 @@ QUEUE = 100
 
 
 class LogSubscription:
-    """Runs on the network loop. `ask_types` returns type by topic, as rosapi reports."""
+    """Runs on the network loop. `ask_types` returns type by topic, as rosapi reports. `reads_health`:
+    diagnostics that rosapi lists are read all the time."""
 
-    def __init__(self, connection: Connection, ask_types: Callable[[], Awaitable[Mapping[str, str]]]) -> None:
+    def __init__(
+        self,
+        connection: Connection,
+        ask_types: Callable[[], Awaitable[Mapping[str, str]]],
+        reads_health: bool = False,
+    ) -> None:
         self._connection = connection
         self._ask_types = ask_types
+        self._always = {DIAGNOSTICS} if reads_health else set[str]()
         self._wanted = False
         # A task without a reference may be garbage-collected while it runs.
         self._task: asyncio.Task[None] | None = None
@@ -40,7 +46,8 @@ class LogSubscription:
             self._task = asyncio.ensure_future(self._find_out())
         else:
             for topic in TYPES:
-                self._send(operations.unsubscribe(topic))
+                if topic not in self._always:
+                    self._send(operations.unsubscribe(topic))
 
     async def _find_out(self) -> None:
         self.subscribe(await self._ask_types())
@@ -49,7 +56,8 @@ class LogSubscription:
         """Subscribe if requested, also to topics without a publisher so far."""
         is_ros2 = any("/msg/" in type_ for type_ in types.values())
         for topic, (ros1, ros2) in TYPES.items():
-            if self._wanted or (is_ros2 and topic == ROSOUT):
+            is_always = topic in self._always and topic in types
+            if self._wanted or is_always or (is_ros2 and topic == ROSOUT):
                 type_ = types.get(topic) or (ros2 if is_ros2 else ros1)
                 self._send(operations.subscribe(operations.Subscription(topic, type_, queue_length=QUEUE)))
         if is_ros2 and not self._wanted:

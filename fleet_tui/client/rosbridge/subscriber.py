@@ -50,7 +50,9 @@ class Subscriber:
         reading: FrameReader,
         pacing: Pacing,
         report: Callable[[events.Event], None],
+        reads_health: bool = False,
     ) -> None:
+        """`reads_health`: diagnostics are read all the time."""
         self._connection = connection
         self._calls = calls
         self._reading = reading
@@ -80,7 +82,7 @@ class Subscriber:
         self._map: Feed | None = None
         self._watched: frozenset[Feed] = frozenset()
         self._subscribed: set[str] = set()
-        self.log_subscription = LogSubscription(connection, lambda: topic_types(calls))
+        self.log_subscription = LogSubscription(connection, lambda: topic_types(calls), reads_health)
         self._latched = Latched(calls, reading, self._of_latched, self._subscribe, self._unsubscribe)
         self._task: asyncio.Task[None] | None = None
 

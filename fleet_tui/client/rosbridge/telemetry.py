@@ -16,6 +16,7 @@ from fleet_tui.adapters.ros.reading import WORTH_A_PROCESS, FrameReader, Read, S
 from fleet_tui.client.memory import trim
 from fleet_tui.client.rosbridge.backlog import Backlog, Frame
 from fleet_tui.client.rosbridge.calls import Calls
+from fleet_tui.client.rosbridge.lifecycle import ReadLifecycle, lifecycle_probes
 from fleet_tui.client.rosbridge.pacing import Pacing
 from fleet_tui.client.rosbridge.pulse import EVERY_QUESTION, Pulse
 from fleet_tui.client.rosbridge.renewals import PER_TOPIC
@@ -100,8 +101,10 @@ class Telemetry:
             text_of_png,
         )
         pacing = Pacing(config, adapters, feeds, writer.store)
+        asks_node = not config.operator.read_only
+        read = {} if asks_node else lifecycle_probes(config, adapters, link)
         self._subscriber = Subscriber(
-            self.connection, self._calls, feeds, adapters, self._reading, pacing, self._take
+            self.connection, self._calls, feeds, adapters, self._reading, pacing, self._take, bool(read)
         )
         self._on_demand = [feed for feed in feeds if feed.wanted_for in ("target", "place", "stream")]
         self._adapters = adapters
@@ -116,10 +119,10 @@ class Telemetry:
         self._sourcing = Sourcing(
             link, self._calls, feeds, self._reading, lambda: self._subscriber.types, writer.apply
         )
-        asks_node = not config.operator.read_only
         self._soundings = Soundings(
             link, Pulse(self._calls, asks_node), self._calls, self._subscriber.is_handled, writer.apply
         )
+        self._lifecycle = ReadLifecycle(read, self.services, self._reading.counter, writer.apply)
         self.show_map = self._subscriber.show_map
         self.subscribe_logs = self._subscriber.log_subscription.listen
         self.counter = self._reading.counter
@@ -194,6 +197,7 @@ class Telemetry:
         self.services.recheck_types()
         self._sourcing.start()
         self._soundings.start()
+        self._lifecycle.start()
 
     def on_lost(self, reason: str, next_try_in: float) -> None:
         """Report the loss, and stop open work."""
@@ -201,6 +205,7 @@ class Telemetry:
         self.services.stop()
         self._sourcing.stop()
         self._soundings.stop()
+        self._lifecycle.stop()
         self._backlog.clear()
         self._fragments.clear()
         self._calls.on_lost()
@@ -313,5 +318,6 @@ class Telemetry:
         self.services.stop()
         self._sourcing.stop()
         self._soundings.stop()
+        self._lifecycle.stop()
         self._decoder.shutdown(wait=False, cancel_futures=True)
         self.connection.shut()

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 from fleet_tui.simulator.fleets import Line
 from fleet_tui.simulator.frames import Payload
-from fleet_tui.simulator.logs import ERROR, INFO, WARN
+from fleet_tui.simulator.logs import ERROR, HEALTHY, INFO, WARN
 from fleet_tui.simulator.messages import Topic, raw_payload
 from fleet_tui.simulator.nav2 import messages
 from fleet_tui.simulator.nav2.navigation import NODES, TO_POSE, SimNavigation
@@ -43,7 +43,8 @@ SAVES: FileServices = {
     "map_saver/save_map": ("nav2_msgs/SaveMap", {"result": True}),
     "slam_toolbox/serialize_map": ("slam_toolbox/SerializePoseGraph", {"result": 0}),
 }
-ACTIVE = "lifecycle_manager_navigation/is_active"
+MANAGER = "lifecycle_manager_navigation"
+ACTIVE = f"{MANAGER}/is_active"
 STATE = "get_state"
 STATES = ["unknown", "unconfigured", "inactive", "active", "activating"]
 CANCEL = "_action/cancel_goal"
@@ -162,8 +163,18 @@ class Nav2Fleet(Nav2World):
         return self._changes.lines()
 
     def health(self) -> Iterable[Message]:
-        """Return battery and localisation of every robot that is not silent."""
-        return (entry for robot in self.robots.values() if not robot.silence for entry in health(robot))
+        """Return battery and localisation of every robot that is not silent, and what its lifecycle manager
+        publishes, by its full name."""
+        for name, navigation in self.navigation.items():
+            if not navigation.robot.silence:
+                yield from health(navigation.robot)
+                yield {
+                    "level": HEALTHY,
+                    "name": f"/{name}/{MANAGER}: Nav2 Health",
+                    "message": f"Managed nodes are {'active' if navigation.active else 'inactive'}",
+                    "hardware_id": "Nav2",
+                    "values": [],
+                }
 
 
 def _robot_of(server: ActionServer) -> str:

@@ -4,6 +4,8 @@ from pathlib import Path
 
 import pytest
 
+from fleet_tui.adapters.ros.reading import DIAGNOSTICS
+from fleet_tui.cli.session import is_known
 from fleet_tui.config.fleet import watching
 from fleet_tui.model.commands import PauseRobot, Stage
 from fleet_tui.model.fleet import FleetState
@@ -21,18 +23,29 @@ def told(state: FleetState) -> str:
     return fact.text if fact is not None else ""
 
 
-@pytest.mark.parametrize(
-    ("fault", "text"),
-    [
-        ("inactive", "Nav2 inactive: paused or not started"),
-        ("node-down", "Nav2 inactive: controller_server down"),
-        ("bring-up", "Nav2 inactive: no pose yet: set one"),
-    ],
-)
+CAUSES = {
+    "inactive": "Nav2 inactive: paused or not started",
+    "node-down": "Nav2 inactive: controller_server down",
+    "bring-up": "Nav2 inactive: no pose yet: set one",
+}
+
+
+@pytest.mark.parametrize(("fault", "text"), CAUSES.items())
 async def test_why_a_navigation_is_not_active(tmp_path: Path, fault: str, text: str) -> None:
     async with nav2_site(tmp_path, speed=1.0) as site, linked(site.config) as (_, store):
         FAULTS[fault][1](site.server, R0)
         await store.until(lambda state: told(state) == text)
+
+
+@pytest.mark.parametrize(("fault", "text"), CAUSES.items())
+async def test_a_console_that_may_only_read_knows_it_without_a_call(
+    tmp_path: Path, fault: str, text: str
+) -> None:
+    async with nav2_site(tmp_path, speed=1.0) as site:
+        FAULTS[fault][1](site.server, R0)
+        async with linked(watching(site.config)) as (_, store):
+            await store.until(lambda state: told(state) == text)
+            assert site.server.bridge.services.calls == []
 
 
 async def test_a_manager_that_hangs_delays_no_command_and_its_robot_starts_with_a_pose(
@@ -48,10 +61,33 @@ async def test_a_manager_that_hangs_delays_no_command_and_its_robot_starts_with_
             await store.until(lambda state: nav2_ready(state) and not told(state))
 
 
-async def test_a_console_that_may_only_read_asks_no_manager(tmp_path: Path) -> None:
+async def test_it_is_over_in_a_console_that_may_only_read_when_the_manager_says_so(tmp_path: Path) -> None:
     async with nav2_site(tmp_path, speed=1.0) as site, linked(watching(site.config)) as (_, store):
-        FAULTS["inactive"][1](site.server, R0)
         await store.until(nav2_ready)
-        later = store.state.now + 20.0
-        await store.until(lambda state: state.now > later)
-        assert site.server.bridge.services.calls == [] and not told(store.state)
+        site.navigation().active = False
+        await store.until(told)
+        site.navigation().active = True
+        await store.until(lambda state: not told(state))
+
+
+async def test_a_manager_that_calls_itself_active_beside_a_dead_node_is_not_believed(tmp_path: Path) -> None:
+    async with nav2_site(tmp_path, speed=1.0) as site:
+        del site.server.bridge.services.offered[f"/{R0}/controller_server/get_state"]
+        async with linked(watching(site.config)) as (_, store):
+            await store.until(lambda state: told(state) == CAUSES["node-down"])
+
+
+async def test_a_node_that_dies_later_is_known_though_its_manager_calls_itself_active(tmp_path: Path) -> None:
+    async with nav2_site(tmp_path, speed=1.0) as site, linked(watching(site.config)) as (_, store):
+        await store.until(is_known)
+        del site.server.bridge.services.offered[f"/{R0}/controller_server/get_state"]
+        await store.until(lambda state: told(state) == CAUSES["node-down"])
+
+
+async def test_a_site_without_diagnostics_is_known_as_one_that_says_nothing(tmp_path: Path) -> None:
+    async with nav2_site(tmp_path, speed=1.0) as site:
+        site.server.bridge.withdraw(DIAGNOSTICS)
+        async with linked(watching(site.config)) as (_, store):
+            state = await store.until(is_known)
+            assert not told(state or store.state)
+            assert DIAGNOSTICS not in site.server.bridge.subscribed()
