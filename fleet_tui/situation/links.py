@@ -5,6 +5,7 @@ from fleet_tui.model import link as reasons
 from fleet_tui.model.alarm import Priority
 from fleet_tui.model.fleet import FleetState, behind_text
 from fleet_tui.model.link import ACTIONS_GLOB, NO_WAY, SERVICES_GLOB, UNPROVEN, CommandPath, LinkState, Phase
+from fleet_tui.model.robot import Robot
 from fleet_tui.situation.fact import Fact
 from fleet_tui.situation.facts import (
     BEHIND,
@@ -161,13 +162,22 @@ def withheld(link: LinkState) -> Fact | None:
     return lost_subscriptions(link) or not_allowed(link) or unsourced(link)
 
 
-def hidden(link: LinkState, robot: str) -> Fact | None:
-    """Find why nothing of a robot arrives though its bridge is connected, none if it may be the robot."""
+def hidden(link: LinkState, robot: str, topic: str = "") -> Fact | None:
+    """Find why nothing of a robot arrives, or not this topic, though its bridge is connected; none if it may
+    be the robot."""
     if link.is_half_dead:
         return dead_commands(link)
     if robot in link.dropped:
         return lost_subscriptions(link)
-    return not_allowed(link) if link.hides(robot) else None
+    is_barred = topic in link.not_allowed if topic else link.hides(robot)
+    return not_allowed(link) if is_barred else None
+
+
+def bridge_remedy(state: FleetState, robot: Robot, topic: str = "") -> str:
+    """Return what to do at the bridge of a robot of which nothing arrives, or not this topic, empty if it may
+    be the robot."""
+    fact = hidden(state.links[robot.link], robot.name, topic.replace("{robot}", robot.name))
+    return fact.action if fact is not None else ""
 
 
 def behind(state: FleetState) -> Fact | None:

@@ -9,6 +9,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import SetPose
 from fleet_tui.situation.fact import Fact
 from fleet_tui.situation.facts import NO_POSE, UNCERTAIN
+from fleet_tui.situation.links import bridge_remedy
 from fleet_tui.situation.navigation import NO_ODOMETRY, inactive
 from fleet_tui.text.units import age
 
@@ -54,7 +55,7 @@ def no_pose(state: FleetState, robot: Robot) -> Fact | None:
     says which one it waits for."""
     if "pose" not in robot.kind.reports or state.is_fresh(robot, "pose"):
         return None
-    remedy = ""
+    remedy = bridge_remedy(state, robot, robot.kind.pose_topic)
     if robot.pose is not None:
         text = f"no pose for {age(state.now - robot.pose.at)}"
         short = f"pose {age(state.now - robot.pose.at)} old"
@@ -62,7 +63,7 @@ def no_pose(state: FleetState, robot: Robot) -> Fact | None:
         if _lacks_odometry(state, robot):
             topic = robot.kind.odometry_topic.replace("{robot}", robot.name)
             evidence = f"no odometry on {topic}: the robot may have moved since"
-            remedy = NO_ODOMETRY
+            remedy = bridge_remedy(state, robot, robot.kind.odometry_topic) or NO_ODOMETRY
     elif inactive(state, robot) is None:
         topic = robot.kind.pose_topic.replace("{robot}", robot.name)
         text, short = "no pose received", "pose missing"

@@ -22,7 +22,7 @@ from fleet_tui.situation.facts import (
     STOP,
     UNDATED_POSE,
 )
-from fleet_tui.situation.links import hidden, is_late
+from fleet_tui.situation.links import bridge_remedy, is_late
 from fleet_tui.situation.motion import SELDOM
 from fleet_tui.text.units import age
 
@@ -103,8 +103,7 @@ def silence(state: FleetState, robot: Robot) -> Fact:
     if known is not None and known.is_asleep:
         remedy = WAKE
     else:
-        blamed = hidden(link, robot.name)
-        remedy = blamed.action if blamed is not None else NO_STATES if kind is NEVER_SEEN and known else ""
+        remedy = bridge_remedy(state, robot) or (NO_STATES if kind is NEVER_SEEN and known else "")
     pose = robot.pose
     is_behind = last is not None and pose is not None and last - pose.at >= 1.0
     return Fact(
@@ -242,6 +241,7 @@ def adrift(state: FleetState, robot: Robot) -> Fact | None:
         f"pose estimated, localisation silent for {silence}",
         Priority.MEDIUM,
         since,
+        remedy=bridge_remedy(state, robot, robot.kind.pose_topic),
         short="pose estimated",
         evidence=f"localisation silent for {silence}: {how}",
         seen=pose.at,

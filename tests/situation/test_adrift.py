@@ -5,7 +5,7 @@ from msgspec.structs import replace
 
 from fleet_tui.cli.status.navigation import navigation
 from fleet_tui.cli.status.report import attention
-from fleet_tui.model.events import Event, TimePassed
+from fleet_tui.model.events import Event, TimePassed, TopicNotAllowed, TopicsDropped
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.kind import Kind
@@ -17,14 +17,20 @@ from fleet_tui.model.navigation_events import (
     ProgressReported,
 )
 from fleet_tui.rules.why.why import reasons
-from fleet_tui.situation.facts import ADRIFT
+from fleet_tui.situation.facts import ADRIFT, HALF_DEAD, NOT_ALLOWED
 from fleet_tui.situation.robots import adrift
 from fleet_tui.text.units import age
 from fleet_tui.view.tables.news import news
-from tests.support.fleets import R0, T0, WALL, fleet, link_up, of_kinds, reduced
+from tests.support.fleets import LINK, R0, T0, WALL, fleet, link_up, of_kinds, reduced
 
 SPEED = 0.5
-NAV2 = Kind("nav2", ("odometry", "pose"), keeps_goals=True, odometry_topic="/{robot}/odom")
+NAV2 = Kind(
+    "nav2",
+    ("odometry", "pose"),
+    keeps_goals=True,
+    pose_topic="/{robot}/amcl_pose",
+    odometry_topic="/{robot}/odom",
+)
 
 
 def driven(seconds: float, is_transform: bool, localised_for: float = 2.0) -> FleetState:
@@ -70,6 +76,27 @@ def test_it_is_over_with_the_next_localised_pose(is_transform: bool) -> None:
         back = OriginReported(R0, at, Pose(3.0, 0.0), "map")
     state = reduced(state, back, OdometryReported(R0, at, Pose(10.0, 0.0), at, is_transform))
     assert adrift(state, state.robots[R0]) is None
+
+
+def test_a_localisation_that_the_bridge_lost_is_mended_at_the_bridge() -> None:
+    state = reduced(driven(20.0, is_transform=False), TopicsDropped(LINK, (R0,)))
+    fact = adrift(state, state.robots[R0])
+    assert fact is not None and fact.action == HALF_DEAD.action
+    assert [one.remedy for one in reasons(state, state.robots[R0]) if one.name == fact.short] == [fact.action]
+    state = reduced(state, TopicsDropped(LINK, ()))
+    fact = adrift(state, state.robots[R0])
+    assert fact is not None and fact.action == ADRIFT.action
+
+
+@pytest.mark.parametrize(
+    ("topic", "action"), [("/robot_0/amcl_pose", NOT_ALLOWED.action), ("/robot_0/battery", ADRIFT.action)]
+)
+def test_only_the_topic_that_places_a_robot_explains_a_pose_that_its_feedback_repeats(
+    topic: str, action: str
+) -> None:
+    state = reduced(fed(lag=20.0), TopicNotAllowed(LINK, topic, (R0,)))
+    fact = adrift(state, state.robots[R0])
+    assert fact is not None and fact.action == action
 
 
 def test_a_robot_that_stands_may_hear_nothing_of_its_localisation() -> None:
