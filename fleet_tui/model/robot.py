@@ -83,8 +83,9 @@ class Robot(Struct, frozen=True, eq=False):
     frame on the map, `located_by` what told that: a `topic` of its localisation, else its `transforms`, else
     the `feedback` on a goal; `adrift_at` is since when its wheels have carried it farther from `located` than
     its localisation lets pass; `motion` is by its speeds, None until one was not zero: some bases count their
-    wheels and report no speed; `variance` that of its position in square metres; `own_floor` the floor it
-    reports; `held` is the reason that this console sends it no waiting order, empty while it does, and
+    wheels and report no speed; `variance` that of its position in square metres, `is_settling`: reported just
+    after this console had set its pose, at `pose_set_at`; `own_floor` the floor it reports; `held`
+    is the reason that this console sends it no waiting order, empty while it does, and
     `released_at` when the operator last released them, `accepted` what spoke against that, or against the
     newest order, and still does; `named` is a goal that this console named and that is
     not listed yet; `target` the last reported target of a goal it had just begun; `unmeasured` are values
@@ -130,6 +131,8 @@ class Robot(Struct, frozen=True, eq=False):
     motion: Reading[ReportedMotion] | None = None
     servers: Reading[Servers | None] | None = None
     variance: Reading[float] | None = None
+    is_settling: bool = False
+    pose_set_at: float = -math.inf
     blocked: Reading[Blocked] | None = None
     progress: Reading[Progress] | None = None
     own_floor: str = ""

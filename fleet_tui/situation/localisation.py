@@ -3,10 +3,8 @@
 import math
 
 from fleet_tui.model.alarm import Priority
-from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
-from fleet_tui.model.set_up.commands import SetPose
 from fleet_tui.situation.fact import Fact
 from fleet_tui.situation.facts import NO_POSE, UNCERTAIN
 from fleet_tui.situation.links import bridge_remedy
@@ -17,15 +15,14 @@ LOST_ABOVE = 0.5
 FOUND_BELOW = 0.3
 """Variance of x and y in square metres above which localisation is lost, and below which it is back."""
 USUAL = 0.75
-SETTLES_IN = 10.0
-"""Variance that a localisation may report in so many seconds after a pose was set by hand: about the 0.5 that
-come with it. One that stands then reports no other until it drives."""
+"""Variance that a localisation may report just after a pose was set by hand: about the 0.5 that come with it.
+One that stands then reports no other until it drives."""
 
 
-def uncertain(state: FleetState, robot: Robot, limit: float = LOST_ABOVE) -> Fact | None:
+def uncertain(robot: Robot, limit: float = LOST_ABOVE) -> Fact | None:
     """Find that a localisation is too uncertain to drive by: not by what was only set here."""
     found = robot.variance
-    if found is None or found.value <= limit or (found.value <= USUAL and _was_set(state, robot, found.at)):
+    if found is None or found.value <= limit or (found.value <= USUAL and robot.is_settling):
         return None
     metres = 2.0 * math.sqrt(found.value)
     return Fact(
@@ -38,16 +35,6 @@ def uncertain(state: FleetState, robot: Robot, limit: float = LOST_ABOVE) -> Fac
         evidence=f"within {metres:.1f} m, as its localisation says",
         seen=found.at,
     )
-
-
-def _was_set(state: FleetState, robot: Robot, at: float) -> bool:
-    """Tell whether this console has set the robot's pose just before."""
-    set_here = (
-        record.time_of(Stage.SENT)
-        for record in state.commands
-        if isinstance(record.command, SetPose) and record.command.robot == robot.name
-    )
-    return any(sent is not None and 0.0 <= at - sent <= SETTLES_IN for sent in set_here)
 
 
 def no_pose(state: FleetState, robot: Robot) -> Fact | None:

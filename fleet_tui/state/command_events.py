@@ -21,7 +21,7 @@ from fleet_tui.model.commands import (
 )
 from fleet_tui.model.fleet import FleetState, with_robot
 from fleet_tui.model.fleets.events import DispatchFact, DispatchFailed, RequestAnswered
-from fleet_tui.model.set_up.commands import SetMapping, SetUpCommand
+from fleet_tui.model.set_up.commands import SetMapping, SetPose, SetUpCommand
 from fleet_tui.rules.commands.confirmation import before, confirm
 from fleet_tui.rules.commands.follow_up import follow_up
 from fleet_tui.rules.commands.local_queue import next_id
@@ -84,6 +84,8 @@ def _after_step(state: FleetState, record: CommandRecord) -> FleetState:
     if robot is not None and record.stage is Stage.SENT and isinstance(record.command, PauseRobot):
         # A topic among what was sent is that of the lock.
         return with_robot(state, replace(robot, locked_by_us=robot.locked_by_us or record.name != ""))
+    if robot is not None and record.stage is Stage.SENT and isinstance(record.command, SetPose):
+        return with_robot(state, replace(robot, pose_set_at=record.steps[-1].at))
     if robot is None or record.stage not in (Stage.ACCEPTED, Stage.CONFIRMED, Stage.LATE):
         return state
     match record.command:

@@ -190,6 +190,10 @@ SCAN_DELAY = 0.3
 """Seconds by which a localised pose is stamped earlier: with the time of the scan that it is from."""
 
 
+SETTLES_IN = 10.0
+"""Seconds in which a localisation takes up a pose that was set by hand."""
+
+
 def _true_at(robot: Robot, event: navigation_events.LocalisationReported, site: SiteClock | None) -> float:
     """Return the time of a localised pose: a latched one may be old."""
     known = robot.clock or site
@@ -213,7 +217,8 @@ def _take_localisation(
         robot = replace(robot, odometry=None, anchor=None)
     robot = replace(robot, located_by="feedback" if event.is_feedback else "topic")
     if event.variance is not None:
-        robot = replace(robot, variance=Reading(event.variance, event.at))
+        is_settling = 0.0 <= located_at - robot.pose_set_at <= SETTLES_IN
+        robot = replace(robot, variance=Reading(event.variance, located_at), is_settling=is_settling)
     frame_id = truncate(event.frame_id.lstrip("/"), LONGEST_NAME)
     jumped = relocation(robot, event.pose, frame_id, event.at)
     robot = replace(robot, located=event.pose, located_at=located_at, frame_id=frame_id)

@@ -30,7 +30,7 @@ def not_sure_where(state: FleetState, robot: Robot, active: ActiveConditions) ->
     if (fact := adrift(state, robot)) is not None:
         return fact.condition(fact.since + ADRIFT_AFTER)
     was_lost = was_active(active, robot.name, robot.link, UNCERTAIN.name)
-    if (fact := uncertain(state, robot, FOUND_BELOW if was_lost else LOST_ABOVE)) is not None:
+    if (fact := uncertain(robot, FOUND_BELOW if was_lost else LOST_ABOVE)) is not None:
         return fact.condition()
     if (since := misplaced_for_long(state, robot)) is None or robot.misplaced is None:
         return None

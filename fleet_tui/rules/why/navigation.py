@@ -33,7 +33,7 @@ def blocked(state: FleetState, robot: Robot) -> Reason | None:
 
 def not_sure_where(state: FleetState, robot: Robot) -> Reason | None:
     """Report that its localisation is uncertain."""
-    fact = uncertain(state, robot)
+    fact = uncertain(robot)
     return None if fact is None else reason_of(fact, Strength.LIKELY)
 
 

@@ -131,7 +131,7 @@ def _navigation(state: FleetState, robot: Robot) -> Iterator[Run]:
         yield tr(servers.text), StyleRole.ALARM
     elif (silence := silent_navigation(state, robot)) is not None:
         yield tr(silence.short), StyleRole.ALARM
-    if (doubt := uncertain(state, robot)) is not None:
+    if (doubt := uncertain(robot)) is not None:
         yield tr(doubt.short), StyleRole.WARN
     if (estimate := adrift(state, robot)) is not None:
         yield tr(estimate.short), StyleRole.WARN
