@@ -102,10 +102,12 @@ def _find_sensors(found: Discovery, vocabulary: Vocabulary, spaces: Sequence[str
 
 def _find_services(found: Discovery, vocabulary: Vocabulary, spaces: Sequence[str], listed: Listed) -> None:
     """Name services with another name than usual by their types, where a type tells what a service does."""
+    # Types are asked for as far as time allows.
+    untyped = _templates(spaces, (one for one, type_ in listed.services.items() if not type_))
     for key, (name, type_) in vocabulary.services.items():
-        alike = {one for one, other in listed.services.items() if other and same_type(other, type_)}
+        alike = (one for one, other in listed.services.items() if same_type(other, type_))
         there = _templates(spaces, alike) if name and not type_.startswith("std_srvs/") else set()
-        if len(there) == 1 and found.services.get(key, name) not in there:
+        if len(there) == 1 and found.services.get(key, name) not in there | untyped:
             found.services[key] = there.pop()
 
 

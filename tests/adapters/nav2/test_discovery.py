@@ -103,6 +103,44 @@ def test_a_service_of_another_name_is_found_by_its_type_if_that_tells_what_it_do
     assert discover_nav2(Listed(ONE, several, DRIVES)).services == {}
 
 
+SAVE = "nav2_msgs/srv/SaveMap"
+
+
+@pytest.mark.parametrize(
+    ("services", "named"),
+    [
+        # Two robots, one of which has the service, or each has it under another name.
+        ({"/tb1/saver/save": SAVE}, "/{robot}/saver/save"),
+        ({"/tb1/saver/save": SAVE, "/tb2/saver/save": SAVE}, "/{robot}/saver/save"),
+        ({"/tb1/saver/save": SAVE, "/tb2/map_saver/save_map": SAVE}, None),
+        ({"/tb1/saver/save": SAVE, "/tb2/other/save": SAVE}, None),
+        # The usual name stays where it exists, whatever else is of its type.
+        ({"/tb1/map_saver/save_map": SAVE, "/tb1/saver/save": SAVE}, None),
+        ({"/tb1/map_saver/save_map": "", "/tb1/saver/save": SAVE}, None),
+        ({"/tb1/map_saver/save_map": "std_srvs/srv/Empty", "/tb1/saver/save": SAVE}, "/{robot}/saver/save"),
+        # Of nobody, of an unknown type, of another package, and a robot's name within a name.
+        ({"/saver/save": SAVE, "/tb3/saver/save": SAVE}, None),
+        ({"/tb1/saver/save": ""}, None),
+        ({"/tb1/saver/save": "slam_toolbox/srv/SaveMap"}, None),
+        ({"/tb1/tb1/save": SAVE}, "/{robot}/tb1/save"),
+    ],
+)
+def test_services_by_type_among_odd_ones(services: dict[str, str], named: str | None) -> None:
+    second = {topic.replace("tb1", "tb2"): type_ for topic, type_ in ONE.items()}
+    listed = Listed({**ONE, **second}, services, (*DRIVES, "/tb2/navigate_to_pose"))
+    assert discover_nav2(listed).services == ({"map_save": named} if named else {})
+
+
+def test_a_service_of_another_namespace_is_not_that_of_a_robot_without_one() -> None:
+    topics = {"/odom": ODOM, "/amcl_pose": AMCL}
+    own = discover_nav2(Listed(topics, {"/saver/save": SAVE}, ("/navigate_to_pose",)))
+    assert own.services["map_save"] == "/saver/save"
+    beside = {"/map_saver/save_map": "", "/mapper/map_saver/save_map": SAVE}
+    assert discover_nav2(Listed(topics, beside, ("/navigate_to_pose",))).services["map_save"] == (
+        "/map_saver/save_map"
+    )
+
+
 def test_a_laser_of_another_name_is_found_by_its_type() -> None:
     scan = "sensor_msgs/msg/LaserScan"
     named = discover_nav2(Listed({**ONE, "/tb1/scan": scan}, {}, DRIVES))
