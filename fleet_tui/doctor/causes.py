@@ -14,6 +14,7 @@ from fleet_tui.doctor.lifecycle import inactive_findings
 from fleet_tui.doctor.names import robots_on, without_namespace
 from fleet_tui.model.link import ACTIONS_GLOB, SERVICES_GLOB
 from fleet_tui.rules.sourcing import Listening, unsourced_package
+from fleet_tui.situation.facts import LOST_SUBSCRIPTIONS
 from fleet_tui.text.units import counted
 
 FEWEST_TOPICS = 2  # of a node that counts as silent: a single one is listed as a topic
@@ -119,9 +120,9 @@ def _lost_subscriptions(facts: BridgeFacts, explained: Collection[str]) -> Itera
             facts.name,
             "subscriptions",
             Verdict.FAIL,
-            f"rosbridge lost its subscriptions of {listed(robots)}: nodes publish {listed(topics)}, and it is"
+            f"{LOST_SUBSCRIPTIONS.word} of {listed(robots)}: nodes publish {listed(topics)}, and it is"
             " not among their subscribers",
-            "restart rosbridge: its ROS master was restarted, and its robots may be well",
+            LOST_SUBSCRIPTIONS.action,
             {"topics": topics},
         )
         yield Cause(finding, "rosbridge lost its subscription", frozenset(topics))

@@ -75,10 +75,13 @@ LOST_SUBSCRIPTIONS = FactKind(
         "Restart rosbridge; of a lacking package source the robots' workspace before",
         10,
     ),
+    remedy="Restart rosbridge: its ROS master was restarted, and its robots may be well",
     keys=("diagnostics",),
     page="link",
 )
-UNSOURCED = LOST_SUBSCRIPTIONS._replace(word="rosbridge lacks a package", over="message types available")
+UNSOURCED = LOST_SUBSCRIPTIONS._replace(
+    word="rosbridge lacks a package", over="message types available", remedy=""
+)
 NOT_ALLOWED = LOST_SUBSCRIPTIONS._replace(
     word="not allowed by the bridge",
     remedy="Add these names to that list of rosbridge (topics_glob, services_glob, actions_glob)"

@@ -128,7 +128,6 @@ def lost_subscriptions(link: LinkState) -> Fact | None:
         f"rosbridge lost its subscriptions of {some(link.dropped)}: restart it",
         Priority.HIGH,
         link.since,
-        remedy=HALF_DEAD.action,
         short=LOST_SUBSCRIPTIONS.word,
         evidence="nodes publish its topics, and the bridge is not among their subscribers",
     )

@@ -17,7 +17,7 @@ from fleet_tui.model.navigation_events import (
     ProgressReported,
 )
 from fleet_tui.rules.why.why import reasons
-from fleet_tui.situation.facts import ADRIFT, HALF_DEAD, NOT_ALLOWED
+from fleet_tui.situation.facts import ADRIFT, LOST_SUBSCRIPTIONS, NOT_ALLOWED
 from fleet_tui.situation.robots import adrift
 from fleet_tui.text.units import age
 from fleet_tui.view.tables.news import news
@@ -81,7 +81,7 @@ def test_it_is_over_with_the_next_localised_pose(is_transform: bool) -> None:
 def test_a_localisation_that_the_bridge_lost_is_mended_at_the_bridge() -> None:
     state = reduced(driven(20.0, is_transform=False), TopicsDropped(LINK, (R0,)))
     fact = adrift(state, state.robots[R0])
-    assert fact is not None and fact.action == HALF_DEAD.action
+    assert fact is not None and fact.action == LOST_SUBSCRIPTIONS.action
     assert [one.remedy for one in reasons(state, state.robots[R0]) if one.name == fact.short] == [fact.action]
     state = reduced(state, TopicsDropped(LINK, ()))
     fact = adrift(state, state.robots[R0])

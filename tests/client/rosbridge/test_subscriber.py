@@ -12,7 +12,7 @@ from fleet_tui.model.link import Phase
 from fleet_tui.rules.why.why import reasons
 from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.situation.facts import HALF_DEAD, LOST_SUBSCRIPTIONS, NOT_ALLOWED
+from fleet_tui.situation.facts import LOST_SUBSCRIPTIONS, NOT_ALLOWED
 from tests.support.links import linked, phase, ready
 from tests.support.watched_store import config_of
 
@@ -114,9 +114,9 @@ async def test_a_bridge_that_lost_its_subscriptions_is_to_blame_and_no_robot(ser
         alarm = next(one for one in state.alarms if one.condition.kind == "messages")
         assert alarm.text == "rosbridge lost its subscriptions of robot_0: restart it"
         silent = [one.condition.remedy for one in state.alarms if one.condition.kind == "offline"]
-        assert set(silent) <= {HALF_DEAD.action}
+        assert set(silent) <= {LOST_SUBSCRIPTIONS.action}
         why = reasons(state, state.robots["robot_0"])[0]
-        assert (why.name, why.remedy) == (LOST_SUBSCRIPTIONS.word, HALF_DEAD.action)
+        assert (why.name, why.remedy) == (LOST_SUBSCRIPTIONS.word, LOST_SUBSCRIPTIONS.action)
         assert any("lost its subscriptions" in line for line in attention(state))
         server.bridge.orphaned.clear()
         await store.until(lambda state: not state.links["rosbridge"].dropped)
