@@ -179,7 +179,8 @@ FACTS: dict[type, st.SearchStrategy[events.Event]] = {
         navigation_events.ServersReported,
         ROBOTS,
         AT,
-        st.builds(
+        st.none()
+        | st.builds(
             Servers, st.booleans(), st.sampled_from(["", "planner_server"]), st.sampled_from(["", "down"])
         ),
     ),

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from fleet_tui.adapters.ros.reading import DIAGNOSTICS
+from fleet_tui.adapters.ros.reading import DIAGNOSTICS, ROSOUT
 from fleet_tui.cli.session import is_known
 from fleet_tui.config.fleet import watching
 from fleet_tui.model.commands import PauseRobot, Stage
@@ -82,6 +82,23 @@ async def test_a_node_that_dies_later_is_known_though_its_manager_calls_itself_a
         await store.until(is_known)
         del site.server.bridge.services.offered[f"/{R0}/controller_server/get_state"]
         await store.until(lambda state: told(state) == CAUSES["node-down"])
+
+
+async def test_diagnostics_are_read_once_for_all_robots_and_also_after_their_page_is_closed(
+    tmp_path: Path,
+) -> None:
+    async with nav2_site(tmp_path, speed=1.0) as site, linked(watching(site.config)) as (link, store):
+        await store.until(is_known)
+
+        def asked(topic: str) -> list[str]:
+            return [one["op"] for one in site.server.bridge.received if one.get("topic") == topic]
+
+        assert asked(DIAGNOSTICS) == ["subscribe"]
+        before = asked(ROSOUT).count("subscribe")
+        for on in (True, False, True):
+            link.subscribe_logs(on)
+        await store.until(lambda _: asked(ROSOUT).count("subscribe") == before + 2)
+        assert "unsubscribe" not in asked(DIAGNOSTICS)
 
 
 async def test_a_site_without_diagnostics_is_known_as_one_that_says_nothing(tmp_path: Path) -> None:
