@@ -86,7 +86,8 @@ async def test_a_feedback_topic_that_died_alone_is_subscribed_again_while_its_ac
         await finished(link, store, site.to("Consumidores"))
         await store.until(lambda state: state.robots[R0].progress)
         asked = [one["topic"] for one in site.server.bridge.received if one["op"] == "subscribe"]
-    assert asked == [feedback]
+    # The way of a robot that begins to drive is asked for more often.
+    assert [topic for topic in asked if topic != f"/{R0}/plan"] == [feedback]
 
 
 async def test_our_order_is_cancelled_by_its_id(site: Site) -> None:

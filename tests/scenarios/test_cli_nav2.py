@@ -55,6 +55,7 @@ async def test_the_table_of_the_fleet(site: Site, tmp_path: Path) -> None:
     assert "robot_1" in done.out and "cargo" not in done.out.lower() and "missing" not in done.out
 
 
+@pytest.mark.parametrize("may_only_read", [False, True])
 @pytest.mark.parametrize(
     ("fault", "text"),
     [
@@ -64,13 +65,17 @@ async def test_the_table_of_the_fleet(site: Site, tmp_path: Path) -> None:
     ],
 )
 async def test_status_names_a_navigation_that_is_not_active(
-    site: Site, tmp_path: Path, fault: str, text: str
+    site: Site, tmp_path: Path, fault: str, text: str, may_only_read: bool
 ) -> None:
+    if may_only_read:
+        with (tmp_path / "config.toml").open("a") as config:
+            config.write("[operator]\nread_only = true\n")
     site.server.speed = 1.0
     FAULTS[fault][1](site.server, "robot_0")
     done = await run(tmp_path, "status")
     assert done.code == 1 and text in done.out, done.out
-    assert site.server.bridge.services.calls == []
+    questions = {name.rpartition("/")[2] for name, _ in site.server.bridge.services.calls}
+    assert questions <= (set() if may_only_read else {"is_active", "get_state"})
 
 
 async def test_an_order_until_it_is_driven(site: Site, tmp_path: Path) -> None:

@@ -158,6 +158,10 @@ class Lifecycle:
         LOG.warning("a reply of %d bytes was dropped", size)
 
     async def _run(self) -> None:
+        for _ in range(FIRST_LOOKS):
+            if self._services.listed:
+                break
+            await asyncio.sleep(LOOK_EVERY)
         while True:
             for robot, probe in self._probes.items():
                 try:
@@ -170,9 +174,9 @@ class Lifecycle:
 
     async def _look(self, robot: str, probe: LifecycleProbe) -> None:
         """Ask about one robot. Raises LinkError."""
-        if probe.service not in self._services.listed:
-            return
-        if not await self._services.is_of_type(probe.service, probe.type):
+        is_there = probe.service in self._services.listed
+        if not is_there or not await self._services.is_of_type(probe.service, probe.type):
+            self._writer.apply(ServersReported(robot, monotonic(), None))
             return
         answer, states = await self._ask(probe.service), dict[str, str]()
         if not probe.is_active(answer):
