@@ -274,7 +274,7 @@ async def test_a_feedback_topic_that_died_alone_is_subscribed_again_while_a_goal
         await store.until(lambda _: site.server.bridge.subscribers(feedback) == 1)
         asked = [one["topic"] for one in site.server.bridge.received if one["op"] == "subscribe"]
         assert robot(store.state).orders.open
-    assert asked == [feedback]
+    assert [topic for topic in asked if not topic.endswith("plan")] == [feedback]
 
 
 async def test_a_pose_topic_that_another_client_holds_dead_blames_the_bridge(site: MoveBaseSite) -> None:
