@@ -50,6 +50,9 @@ class Observer:
         self._told: dict[str, float] = {}
         self._charges: dict[str, Charge] = {}
         self._traces: dict[str, Mapping[str, OrderTrace]] = {}
+        self._told_by: dict[tuple[str, str], str] = {}
+        """The goal that told of an order of another console, by robot and first goal, which may have ended
+        before it was known whose it was."""
         self._links: dict[str, bool] = {}
         self._causes: dict[Key, str] = {}
         self._ends: dict[str, dict[_Gone, Stage]] = {}
@@ -96,8 +99,10 @@ class Observer:
         for id_, trace in robot.traces.items():
             record = placed_by(state, robot, trace.order)
             elsewhere = given_elsewhere(state, robot, trace.order)
-            if (record and record.earlier_goals) or (elsewhere and elsewhere.goals[0] != id_):
+            if record and record.earlier_goals:
                 continue  # it was told with its first goal
+            if elsewhere and self._told_by.setdefault((robot.name, elsewhere.goals[0]), id_) != id_:
+                continue
             known = traces.get(id_) if traces else None
             if known is not None and not _is_same(known.order, trace.order):
                 known = None

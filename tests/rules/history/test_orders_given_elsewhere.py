@@ -94,3 +94,16 @@ def test_a_first_goal_is_no_end_of_an_order_whose_console_has_gone() -> None:
     watcher.first_goal()
     watcher.goal(30.0, FIRST, DONE)
     assert watcher.changes == whole("done")[:2]
+
+
+def test_an_order_whose_robot_stands_at_its_first_stop_begins_with_its_second_goal() -> None:
+    watcher = Watcher()
+    watcher.read(0.9, Stage.SENT, None)
+    watcher.goal(1.2, FIRST, DONE)
+    watcher.read(1.3, Stage.CONFIRMED, FIRST)
+    watcher.read(1.4, Stage.WAITING, "k1", f"order {FIRST}: stop reached, next goal follows")
+    watcher.read(1.5, Stage.SENT, "k1")
+    watcher.goal(1.6, SECOND)
+    watcher.read(1.9, Stage.CONFIRMED, SECOND)
+    watcher.goal(3.0, SECOND)
+    assert watcher.changes == whole("done")[:2]
