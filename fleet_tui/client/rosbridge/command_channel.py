@@ -69,6 +69,8 @@ class CommandChannel:
         self._silence = telemetry.silence
         self._services = telemetry.services
         self._under_way: set[asyncio.Task[None]] = set()
+        self._pauses = dict[int, tuple[PauseRobot, float]]()
+        """Those that wait for the type of their service, and when they were given."""
         self._in_turn = asyncio.Lock()
         self.connection = Connection(bridge, self)
         self._calls = Calls(self.connection, places)
@@ -138,11 +140,12 @@ class CommandChannel:
 
     async def _submit_pause(self, command_id: int, command: PauseRobot, given_at: float) -> None:
         began = time.monotonic()
+        self._pauses[command_id] = command, given_at
         with suppress(CommandError):  # as it is submitted, that is reported
             outgoing = self._made(command, command_id)
             await self._services.learn([one.address for one in outgoing], self._calls, TYPE_WITHIN)
-        waited = min(time.monotonic() - began, TYPE_WITHIN)
-        self._submit(command_id, command, given_at, waited)
+        if self._pauses.pop(command_id, None):
+            self._submit(command_id, command, given_at, min(time.monotonic() - began, TYPE_WITHIN))
 
     async def _submit_in_turn(self, command_id: int, command: Command, given_at: float) -> None:
         began = time.monotonic()
@@ -268,7 +271,10 @@ class CommandChannel:
         self._writer.apply(CommandAdvanced(command_id, stage, at, detail, name))
 
     def close(self) -> None:
-        """Close permanently; open commands end as unknown."""
+        """Close permanently; open commands end as unknown. A pause that still waits leaves first."""
+        for command_id, (pause, given_at) in self._pauses.items():
+            self._submit(command_id, pause, given_at, TYPE_WITHIN)
+        self._pauses.clear()
         self._heartbeat.close()
         self._calls.on_lost()
         self._publishing.stop()

@@ -112,6 +112,8 @@ class Observer:
                 yield _change(state, robot, trace.order, record, min(taken, begun), QUEUED)
             if trace.begun and not (known and known.begun):
                 yield _change(state, robot, trace.order, record, begun, BEGUN)
+        known_there = {(one.robot, one.goals[0]) for one in state.desk.elsewhere if one.goals}
+        self._told_by = {first: told for first, told in self._told_by.items() if first in known_there}
 
     def _order_ends(self, state: FleetState, robot: Robot) -> Iterator[OrderChange]:
         told, now = self._ends.get(robot.name, {}), dict[_Gone, Stage]()

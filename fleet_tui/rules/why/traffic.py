@@ -124,7 +124,7 @@ def _along(points: list[Point], at: Point) -> tuple[float, int] | None:
     before = 0.0
     for part, ((x, y), (to_x, to_y)) in enumerate(pairwise(points)):
         length = math.dist((x, y), (to_x, to_y))
-        if length > 0.0:
+        if length**2 > 0.0:
             share = ((at[0] - x) * (to_x - x) + (at[1] - y) * (to_y - y)) / length**2
             reached = min(max(share, 0.0), 1.0)
             beside = math.dist(at, (x + reached * (to_x - x), y + reached * (to_y - y)))

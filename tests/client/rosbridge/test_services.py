@@ -1,5 +1,6 @@
 """Services of the robots as the console knows them: which are gone, of another type, or not told yet."""
 
+import asyncio
 from dataclasses import replace
 
 import pytest
@@ -10,6 +11,7 @@ from fleet_tui.model.commands import PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.links import finished, linked, path, phase, ready
+from tests.support.polling import until
 from tests.support.watched_store import config_of
 
 PAUSE, RESUME = "/robot_0/Application_layout/Pause", "/robot_0/Application_layout/Resume"
@@ -83,6 +85,17 @@ async def test_a_pause_leaves_at_last_without_a_type(server: RosbridgeServer) ->
     async with linked(config_of(server.url, 1)) as (link, store):
         await store.until(phase(Phase.UP))
         assert (await finished(link, store, PauseRobot("robot_0"))).stage is Stage.CONFIRMED
+
+
+async def test_a_pause_that_waits_for_a_type_leaves_as_the_console_is_closed(server: RosbridgeServer) -> None:
+    server.bridge.services.silent_services.update(server.bridge.services.rosapi.services)
+    async with linked(config_of(server.url, 1)) as (link, store):
+        await store.until(phase(Phase.UP))
+        link.submit(PauseRobot("robot_0"))
+        await asyncio.sleep(0.1)
+        assert not server.bridge.services.calls
+    await until(lambda: server.bridge.services.calls)
+    assert [service for service, _ in server.bridge.services.calls] == [PAUSE]
 
 
 async def test_a_resume_is_sent_late_where_the_type_is_right(server: RosbridgeServer) -> None:

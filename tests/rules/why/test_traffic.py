@@ -77,6 +77,18 @@ def test_a_robot_beside_or_behind_is_not_in_the_way() -> None:
         assert ("waiting behind robot_1" in names) is waits, (x, y)
 
 
+def test_a_robot_a_hairs_breadth_before_its_vertex_has_reasons_as_any_other() -> None:
+    here: list[Event] = [
+        link_up(T0),
+        graph(1, 2, 3),
+        pose(T0, x=1e-200),
+        queue(T0, (0, 1, 0, "W"), current=0),
+    ]
+    other = PoseReported("robot_1", T0, Pose(0.0, 0.0), "floor_0", None)
+    state = reduced(fleet(2), *here, other, tick(T0 + 2))
+    assert reasons(state, state.robots[R0])
+
+
 def test_only_a_near_robot_or_one_under_way_on_the_next_edge_is_in_the_way() -> None:
     vertices = {id_: Vertex(id_, x, 0.0) for id_, x in (("1", 0.0), ("2", 16.0))}
     edge = GraphReceived(R0, "floor_0", RouteGraph(vertices, (Edge("0", "1", "2"),)))
