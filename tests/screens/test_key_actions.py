@@ -73,6 +73,6 @@ async def test_an_order_without_cargo_needs_no_from(
         await it.press("o", "enter")
         await it.type("Consum")
         await it.press("enter")
-        await it.until(lambda state: state.commands)
         await it.shows("robot_0 go to Consumidores", "message")
+        await it.until(lambda state: state.commands and state.commands[-1].is_decided)
         assert sent(server)[0][1]["end_point"] == vertex(it, "Consumidores")
