@@ -206,7 +206,8 @@ def _station(table: Table, floor: str, where: str) -> Station:
 
 
 def in_si_units(tree: Table, choices: ReadChoices) -> tuple[Table, tuple[str, ...]]:
-    """Return the contents of a file in metres and radians, with notes on doubtful units.
+    """Return the contents of a file in metres and radians, with notes on doubtful units: they are so by the
+    format, but some files have millimetres or degrees.
 
     Raises MissingChoiceError where `choices` wants to be asked and a unit is in doubt.
     """

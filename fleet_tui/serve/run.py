@@ -4,23 +4,20 @@ import asyncio
 import logging
 import os
 import signal
-import socket
 from asyncio.subprocess import PIPE, Process
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from importlib import resources
-from ipaddress import ip_address
 from json import JSONDecodeError
-from urllib.parse import urlsplit
 
 import textual_serve
 from aiohttp import WSCloseCode, WSMsgType, web
-from aiohttp.typedefs import Handler, Middleware
 from textual_serve.app_service import AppService
 from textual_serve.download_manager import DownloadManager
 
 from fleet_tui.errors import FleetError
 from fleet_tui.log_file import log_to_file
+from fleet_tui.serve.guard import guard, is_loopback, say_policy
 from fleet_tui.stopping import stopped_by_signal
 
 MOST_TABS = 8
@@ -34,6 +31,7 @@ LONGEST_MESSAGE = 2**20
 """Maximum bytes from a page: a paste."""
 
 Say = Callable[[str], object]
+
 
 PATIENCE = 1.5
 """Seconds for a console to end by itself once its tab is closed."""
@@ -51,17 +49,6 @@ SETTINGS = {
     "PYTHONIOENCODING": "utf-8",
 }
 _OUR_TERMINAL = ("TMUX", "STY", "TERM_PROGRAM", "TERM_PROGRAM_VERSION", "LINES")
-
-
-HEADERS = {
-    "X-Frame-Options": "DENY",  # or another page could have its visitors click here
-    "X-Content-Type-Options": "nosniff",
-    "Referrer-Policy": "no-referrer",
-    "Cache-Control": "no-cache",
-}
-POLICY = (
-    "default-src 'self' 'unsafe-inline'; img-src 'self' data:; frame-ancestors 'none'; connect-src 'self'"
-)
 
 
 class Tab(AppService):
@@ -244,56 +231,3 @@ def _warning(host: str, port: int) -> str:
         f"Safer: omit --host, and on the other machine\n"
         f"  ssh -L {port}:127.0.0.1:{port} THIS_MACHINE    then open http://127.0.0.1:{port}/"
     )
-
-
-def is_loopback(host: str) -> bool:
-    """Tell whether an address can be reached from this machine only."""
-    try:
-        return ip_address(host).is_loopback
-    except ValueError:
-        return host == "localhost"
-
-
-def is_ours(host: str, names: frozenset[str]) -> bool:
-    """Tell whether a Host header is a plain address, which can't be rebound, or one of our names."""
-    try:
-        name = urlsplit(f"//{host}").hostname or ""
-        if name in names:
-            return True
-        ip_address(name)
-    except ValueError:
-        return False
-    return True
-
-
-def is_same_origin(origin: str, host: str) -> bool:
-    """Tell whether a page is from the same server that it connects to."""
-    scheme, _, place = origin.partition("://")
-    return scheme in ("http", "https") and place == host
-
-
-def names_of(host: str) -> frozenset[str]:
-    """Return the names of this server, listening on `host`."""
-    own = socket.gethostname().lower()
-    return frozenset({"localhost", host} | (set() if is_loopback(host) else {own, f"{own}.local"}))
-
-
-def guard(host: str) -> Middleware:
-    """Return the check of every request to a server that listens on `host`."""
-    names = names_of(host)
-
-    @web.middleware
-    async def check(request: web.Request, handler: Handler) -> web.StreamResponse:
-        if not is_ours(request.host, names):
-            raise web.HTTPForbidden(text="fleet-tui serve: unknown host name; open it by its address.\n")
-        if request.path == "/ws" and not is_same_origin(request.headers.get("Origin", ""), request.host):
-            raise web.HTTPForbidden(text="fleet-tui serve: cross-origin access denied.\n")
-        return await handler(request)
-
-    return check
-
-
-async def say_policy(request: web.Request, response: web.StreamResponse) -> None:
-    """Set headers: nothing is fetched from elsewhere, nothing is shown inside another page."""
-    ours = f"ws://{request.host} wss://{request.host}"
-    response.headers.update({**HEADERS, "Content-Security-Policy": f"{POLICY} {ours}"})

@@ -8,7 +8,6 @@ import math
 import time
 from collections import deque
 from collections.abc import Awaitable, Callable
-from enum import Enum
 from functools import partial
 from typing import Any
 
@@ -19,6 +18,8 @@ from textual.message_pump import MessagePump
 from textual.timer import Timer
 from textual.widgets import Input
 
+from fleet_tui.terminal.typing import GAP, STANDSTILL, Fate, Typing
+
 ROUNDS = 2
 """Trips through the widgets until a key is done: with the first one its binding has run, with the second one
 the messages that it posted have arrived."""
@@ -28,12 +29,6 @@ TRIES = 5
 how many times as many if it is still there."""
 BEAT = 0.5
 """Seconds between two looks whether the loop runs."""
-
-
-GAP = 0.5
-"""Seconds without a text key after which the next one is meant as a command."""
-STANDSTILL = 2.0
-"""Seconds in which nothing could be shown after which waiting keys are dropped."""
 
 
 class KeyDone(Message):
@@ -178,67 +173,3 @@ class KeyQueue:
     async def _done(self) -> None:
         self._rounds = 0
         await self._next()
-
-
-class Fate(Enum):
-    ACTS = "acts"
-    DROPPED = "dropped"
-    WAITS = "waits"
-    """It acts after `GAP`, unless another text key comes before: `is_alone` tells."""
-
-
-class Typing:
-    """Judges keys in their order, by the times at which they arrived (monotonic seconds)."""
-
-    def __init__(self) -> None:
-        self._typed_at = -math.inf
-        """The arrival of the last text key that was text or dropped."""
-        self._is_blind = False
-        self.dropped = 0
-        """Keys dropped since the last one that acted."""
-        self.is_alone = False
-        """A key that pauses all robots waits, and no other text key has come."""
-
-    @property
-    def is_blind(self) -> bool:
-        """Tell whether keys are dropped because of a standstill."""
-        return self._is_blind
-
-    def stood_still(self, until: float) -> None:
-        """Drop the keys that waited while nothing could be shown."""
-        if self._is_blind and until - self._typed_at < GAP:
-            return
-        self._typed_at = until
-        self._is_blind = True
-        self.dropped = 0
-        self.is_alone = False
-
-    def judge(self, key: str, is_text: bool, at: float, in_field: bool, pauses_all: bool = False) -> Fate:
-        """Return the fate of a key. `in_field`: a text field has the focus; `pauses_all`: it is a text key
-        that pauses all robots."""
-        if key == "escape":
-            self._end()
-            return Fate.ACTS
-        if not is_text:
-            return Fate.ACTS
-        if at - self._typed_at >= GAP:
-            self._end()
-        if self._is_blind and pauses_all and not in_field and (self.is_alone or not self.dropped):
-            self._typed_at = max(at, self._typed_at)
-            self.is_alone = True
-            return Fate.WAITS
-        if self._is_blind or (not in_field and at - self._typed_at < GAP):
-            # A key that waited came before the end of the standstill, and ends nothing.
-            self._typed_at = max(at, self._typed_at)
-            self.dropped += 1 + self.is_alone
-            self.is_alone = False
-            return Fate.DROPPED
-        self._typed_at = at if in_field else -math.inf
-        self.dropped = 0
-        return Fate.ACTS
-
-    def _end(self) -> None:
-        self._typed_at = -math.inf
-        self._is_blind = False
-        self.dropped = 0
-        self.is_alone = False

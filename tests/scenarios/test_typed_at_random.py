@@ -17,7 +17,7 @@ from fleet_tui.screens.confirm import Confirm
 from fleet_tui.screens.menu import Menu
 from fleet_tui.simulator.robot import SimRobot
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.terminal.key_queue import GAP
+from fleet_tui.terminal.typing import GAP
 from tests.support.console_pilot import Console, console
 from tests.support.watched_store import config_of
 

@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fleet_tui.serve.run import is_loopback, is_ours, is_same_origin, names_of
+from fleet_tui.serve.guard import is_loopback, is_ours, is_same_origin, names_of
 
 LOOPBACK = names_of("127.0.0.1")
 

@@ -5,7 +5,7 @@ import string
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fleet_tui.terminal.key_queue import GAP, Fate, Typing
+from fleet_tui.terminal.typing import GAP, Fate, Typing
 
 SOON, LATER = GAP / 2, GAP * 2
 

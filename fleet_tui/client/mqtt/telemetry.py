@@ -192,7 +192,8 @@ class VehicleTelemetry:
 
 
 class VehiclePacing:
-    """Runs on the network loop. Times are monotonic seconds."""
+    """A broker has no rates: the frequent positions of vehicles that nobody looks at are not subscribed to;
+    their states tell the position, too, less often. Runs on the network loop. Times are monotonic seconds."""
 
     def __init__(self, config: Config, feeds: Iterable[Feed], store: Store) -> None:
         self._rates = config.rates

@@ -21,7 +21,8 @@ Ways = set[frozenset[str]]
 
 
 def shared_way(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
-    """Check that no other vehicle drives an edge of the way of an order."""
+    """Check that no other vehicle has an edge of the way of an order left: the console, a master control,
+    does no traffic control."""
     if not isinstance(command, PlaceOrder) or robot.vehicle is None:
         return
     own = _way_of(robot, command)
