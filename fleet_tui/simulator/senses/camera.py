@@ -10,10 +10,11 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from fleet_tui.model.geometry import Pose
-from fleet_tui.simulator.floorplan import OCCUPIED, ORIGIN, RESOLUTION, Cells
+from fleet_tui.simulator.floorplan import RESOLUTION, Cells
 from fleet_tui.simulator.frames import Payload
 from fleet_tui.simulator.messages import Message, Topic
 from fleet_tui.simulator.ros.dialect import Dialect
+from fleet_tui.simulator.senses.laser import cells_along
 
 TYPE = "sensor_msgs/CompressedImage"
 NAME = "camera/image_raw/compressed"
@@ -54,11 +55,7 @@ def _walls(
     cells: Cells, pose: Pose, angles: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Return the metres to the wall at each angle, FARTHEST without one, and its colour."""
-    x = pose.x - ORIGIN[0] + np.outer(np.cos(angles), _STEPS)
-    y = pose.y - ORIGIN[1] + np.outer(np.sin(angles), _STEPS)
-    rows = np.clip(np.floor(y / RESOLUTION).astype(np.intp), 0, cells.shape[0] - 1)
-    columns = np.clip(np.floor(x / RESOLUTION).astype(np.intp), 0, cells.shape[1] - 1)
-    hits = cells[rows, columns] == OCCUPIED
+    rows, columns, hits = cells_along(cells, pose, angles, _STEPS)
     first = hits.argmax(axis=1)
     beams = np.arange(len(angles))
     metres = np.where(hits.any(axis=1), _STEPS[first], FARTHEST)
