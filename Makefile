@@ -4,8 +4,8 @@ VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 PURE := $(addprefix tests/,text model keys rules graph_files state view adapters config test_house.py test_keymap.py test_errors.py)
-# One more than cores: some wait for a process. The longest first.
-TOGETHER := -q --forks $(shell expr $$(getconf _NPROCESSORS_ONLN) + 1)
+# Twice the cores: some wait for a process. The longest first.
+TOGETHER := -q --forks $(shell expr $$(getconf _NPROCESSORS_ONLN) \* 2)
 # Compiled once, not by each of a few hundred processes.
 unexport PYTHONDONTWRITEBYTECODE
 

@@ -10,6 +10,7 @@ from zlib import crc32
 import pytest
 from hypothesis import settings
 
+from fleet_tui.client import memory
 from fleet_tui.simulator.nav2.fleet import Nav2Fleet
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.ros.ros2 import ROS2
@@ -33,6 +34,9 @@ settings.load_profile("fleet-tui")
 
 parse_styles_once()
 
+# It is for the life of a console, and a process here lives for thousands of tests: fresh pages for each array
+# would take a seventh of the run.
+memory.tune_malloc = lambda: None
 
 LONGEST = ("test_soak.py", "test_main_fuzz.py", "test_process.py", "test_running.py", "test_real_keys.py")
 """They begin first: whoever ran one of them at the end would run alone."""

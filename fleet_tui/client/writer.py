@@ -6,7 +6,7 @@ import sys
 import time
 from collections.abc import Callable
 
-from fleet_tui.client.memory import collect, freeze, tune_malloc
+from fleet_tui.client import memory
 from fleet_tui.client.tap import Tap
 from fleet_tui.model.events import Event, TimePassed
 from fleet_tui.state.store import Store
@@ -38,13 +38,13 @@ class Writer:
         read."""
         self._ticker: asyncio.Future[None] | None = None
         self._tidied = time.monotonic()
-        self._tidy = freeze
+        self._tidy = memory.freeze
         self._stall = 0.0
         self._stalled_until = 0.0
 
     def start(self) -> None:
         """Start the clock ticks."""
-        tune_malloc()
+        memory.tune_malloc()
         sys.setswitchinterval(SWITCH_INTERVAL)
         self.loop.call_soon_threadsafe(self._start)
 
@@ -65,7 +65,7 @@ class Writer:
                 if now - self._tidied > TIDY_EVERY:
                     self._tidied = now
                     self._tidy()
-                    self._tidy = collect
+                    self._tidy = memory.collect
             except Exception:
                 # Without ticks nothing would age: one that fails must not be the last.
                 LOG.exception("tick")

@@ -13,6 +13,7 @@ from fleet_tui.client.memory import collect, freeze
 def thawed() -> Iterator[None]:
     yield
     gc.unfreeze()
+    gc.freeze()  # for the tests after it: all modules and tests stay
 
 
 class Ring:
