@@ -5,10 +5,12 @@ import typing
 from collections.abc import Iterator
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from fleet_tui.config.schema import Ui
 from fleet_tui.languages import ENGLISH, use_language
-from fleet_tui.text.language import FIGURES, Catalogue, read_catalogue, tr
+from fleet_tui.text.language import FIGURES, Catalogue, Message, read_catalogue, tr
 from tests.support.screen_texts import ROOT, texts
 
 LANGUAGES = sorted(path.stem for path in (ROOT / "locales").glob("*.po"))
@@ -85,6 +87,46 @@ def test_what_people_write_and_call_things_stays_as_it_is() -> None:
     note = "robot_2: lost, idle"
     assert tr(f"noted for the next shift: {note}") == f"notiert für die nächste Schicht: {note}"
     assert "18 - no link sperren" in tr("Close 18 - no link: cuts the way of no order")
+
+
+HOSTILE = st.text(max_size=40) | st.sampled_from(
+    [
+        "Failed to make progress",
+        "door to hall locked",
+        "no link",
+        "{name} on {0}",
+        "%s %",
+        "\u202eabc",
+        "x" * 10_000,
+    ]
+)
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_value_is_in_each_text_as_it_is(language: str) -> None:
+    messages = read_catalogue(file_of(language))
+    catalogue = Catalogue(messages)
+
+    @given(st.sampled_from(sorted(filter(places, messages))), st.data())
+    def assert_shown(msgid: str, data: st.DataObject) -> None:
+        values = {name: f"«{name} {data.draw(HOSTILE)}»" for name in places(msgid)}
+        message = Message(msgid, **values)
+        for text, around in ((message, msgid), (catalogue.translated(message), messages[msgid])):
+            assert [name for name, value in values.items() if value not in text] == []
+            for value in values.values():
+                text = text.replace(value, "")
+            assert text == re.sub(r"\{\w+\}", "", around)
+
+    assert_shown()
+
+
+def test_a_message_within_a_message_is_translated_too() -> None:
+    use_language("de")
+    assert (
+        tr("{duration} late: {word}", duration="4 s", word=Message("no link"))
+        == "4 s zu spät: keine Verbindung"
+    )
+    assert tr("{duration} late: {word}", duration="4 s", word="no link") == "4 s zu spät: no link"
 
 
 def test_a_figure_in_per_cent_is_no_text() -> None:

@@ -92,17 +92,21 @@ class Offers:
                     also=f"{key.text} {SYNONYMS.get(key.id, '')}",
                 )
         for name in state.robots:
-            yield Offer(tr(f"Go to robot {name}"), partial(navigation.find_robot, name), name=name)
+            yield Offer(tr("Go to robot {name}", name=name), partial(navigation.find_robot, name), name=name)
         for floor in state.floors:
-            yield Offer(tr(f"Go to floor {floor}"), partial(navigation.find_floor, floor), name=floor)
+            yield Offer(
+                tr("Go to floor {floor}", floor=floor), partial(navigation.find_floor, floor), name=floor
+            )
         for site in filter(None, sites_of(state)):
             for first in robots_at(state, site)[:1]:
                 yield Offer(
-                    tr(f"Go to site {sanitize(site)}"), partial(navigation.find_robot, first), name=site
+                    tr("Go to site {site}", site=sanitize(site)),
+                    partial(navigation.find_robot, first),
+                    name=site,
                 )
         yield from self._vertices()
         for name, use in self._settings.themes.items():
-            yield Offer(tr(f"Theme: {sanitize(name)}"), use)
+            yield Offer(tr("Theme: {name}", name=sanitize(name)), use)
 
     def _vertices(self) -> Iterator[Offer]:
         robot = self._store.state.robots[self._navigation.robot]
@@ -111,7 +115,7 @@ class Offers:
                 vertex = robot_map.graph.vertices.get(id_) if robot_map.graph else None
                 if vertex is not None:
                     find = partial(self._navigation.find_vertex, floor, vertex.x, vertex.y)
-                    yield Offer(tr(f"Go to vertex {sanitize(label)}"), find, name=label)
+                    yield Offer(tr("Go to vertex {label}", label=sanitize(label)), find, name=label)
 
     def typed(self, line: str) -> Typed:
         """Parse a typed line: a time, a file to save to, else a command."""

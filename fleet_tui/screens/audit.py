@@ -107,8 +107,8 @@ class AuditLog(Overlay):
                     if len(found) > SHOWN:
                         break
         except OSError as failed:
-            problem = tr(f"log not readable: {failed.strerror}")
-        note = tr(f"newest {SHOWN}") if len(found) > SHOWN else str(len(found))
+            problem = tr("log not readable: {strerror}", strerror=failed.strerror)
+        note = tr("newest {SHOWN}", SHOWN=SHOWN) if len(found) > SHOWN else str(len(found))
         if reading.note:
             note += f", {reading.note}"
 
@@ -166,9 +166,13 @@ class AuditLog(Overlay):
         path = reading.path.with_name(f"audit-{datetime.now():%Y%m%d-%H%M%S}.csv")
         try:
             count = export(path, wanted())
-            said = tr(f"{count} record{'s' * (count != 1)} written to {path}")
+            said = tr(
+                "{count} record written to {path}" if count == 1 else "{count} records written to {path}",
+                count=count,
+                path=path,
+            )
         except InterruptedError:
             return
         except OSError as problem:
-            said = tr(f"not written: {path}: {problem.strerror}")
+            said = tr("not written: {path}: {strerror}", path=path, strerror=problem.strerror)
         self.app.call_from_thread(self._say, said)

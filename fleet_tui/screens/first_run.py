@@ -93,8 +93,10 @@ class FirstRun(RowsScreen):
 
     def _watch(self, done: int, total: int, doing: str) -> None:
         """Record progress, on the network's thread."""
-        count = tr(f", {done} of {total}") if total else ""
-        self._asked = self._asked._replace(words=tr(f"discovering the fleet: {doing}{count}"))
+        count = tr(", {done} of {total}", done=done, total=total) if total else ""
+        self._asked = self._asked._replace(
+            words=tr("discovering the fleet: {doing}{count}", doing=tr(doing), count=count)
+        )
 
     def action_open(self) -> None:
         """Open the console on the discovered robots."""
@@ -141,5 +143,5 @@ def _found(site: DiscoveredSite) -> Asked:
 
 
 def _listed(names: Sequence[str], most: int = 6) -> str:
-    more = tr(f" and {len(names) - most} more") if len(names) > most else ""
+    more = tr(" and {names} more", names=len(names) - most) if len(names) > most else ""
     return ", ".join(names[:most]) + more

@@ -110,7 +110,11 @@ class Help(Overlay):
             every = {id(one): one for sections in self._pages.values() for one in sections}
             sections = search([*every.values(), _documentation()], wanted)
         if not sections:
-            sections = [HelpSection(tr(f"nothing matches {wanted!r}"), (HelpRow((), tr(ELSEWHERE)),))]
+            sections = [
+                HelpSection(
+                    tr("nothing matches {wanted}", wanted=f"{wanted!r}"), (HelpRow((), tr(ELSEWHERE)),)
+                )
+            ]
         runs, buttons = tabs(self._pages, "" if wanted else self._page)
         self._tabs.show(runs, buttons=buttons)
         self._text.show(partial(help_lines, sections))

@@ -80,7 +80,9 @@ class Palette(Overlay):
         if typed and not command.is_command:
             found += [one for one in entries if rank(typed, one.also) is not None and one not in found]
         if not found and typed:
-            said = tr(command.problem) or tr(f"no match for {sanitize(typed)}: press ? for all keys")
+            said = tr(command.problem) or tr(
+                "no match for {typed}: press ? for all keys", typed=sanitize(typed)
+            )
             found = [Offer(said, partial(self._go_on, line))]
         self._matches.show(found, [offer.text for offer in found], keys=[offer.key for offer in found])
 

@@ -131,8 +131,8 @@ class Simple(Vertical):
         self._shown = shown
         names_of = {field: sanitize(place.name) for field, place in self._chosen.items()}
         # As Content: a label from the wire is text, whatever markup it looks like.
-        self._button("robot").label = Content(f"{tr(f'Robot: {sanitize(robot.name)}')}, {does}")
-        self._button("from").label = Content(tr(f"From: {names_of.get('from', start)}"))
+        self._button("robot").label = Content(f"{tr('Robot: {name}', name=sanitize(robot.name))}, {does}")
+        self._button("from").label = Content(tr("From: {get}", get=names_of.get("from", start)))
         self._button("to").label = Content(to + names_of.get("to", tr("choose ...")))
         self._button("send").variant = "default" if self._missing() else "primary"
         for field in FIELDS:
@@ -201,14 +201,16 @@ class Simple(Vertical):
         """Show the list of choices."""
         robot = self._robot()
         if field != "robot" and not places(robot):
-            self._say(hindrance(self._state(), robot) or tr(f"no places of {robot.name} received yet"))
+            self._say(
+                hindrance(self._state(), robot) or tr("no places of {name} received yet", name=robot.name)
+            )
             return
         self._choosing = field
         with self._typed.prevent(Input.Changed):
             self._typed.value = ""
         self._fill()
         question = {"robot": tr("Which robot?"), "from": tr("From where?"), "to": tr("Where to?")}[field]
-        self.query_one("#simple-question", Static).update(tr(f"{question}  (Esc: back)"))
+        self.query_one("#simple-question", Static).update(tr("{question}  (Esc: back)", question=question))
         self.show()
         self.screen.set_focus(self._typed)
 
@@ -264,7 +266,13 @@ class Simple(Vertical):
         self.show()
         robot, missing = self._robot(), self._missing()
         if missing:
-            self._say(tr(f"{tr(missing.capitalize())} is missing: choose where {tr(_PURPOSE[missing])}"))
+            self._say(
+                tr(
+                    "{capitalize} is missing: choose where {PURPOSE}",
+                    capitalize=tr(missing.capitalize()),
+                    PURPOSE=tr(_PURPOSE[missing]),
+                )
+            )
             self.screen.set_focus(self._button(missing))
             return
         start = self._chosen.get("from", HERE)

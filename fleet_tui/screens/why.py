@@ -96,7 +96,7 @@ class Why(RobotOverlay):
     def look(self) -> None:
         """Show the current reasons."""
         state, name = self._looked_at()
-        self.border_title = Content(tr(f"Why: {sanitize(name)}"))
+        self.border_title = Content(tr("Why: {name}", name=sanitize(name)))
         text, robot = self.query_one("#reasons", Static), state.robots[name]
         self._search_ways(state, robot)
         cut = self._cut[1] if self._cut[0] == name else []
@@ -127,7 +127,9 @@ class Why(RobotOverlay):
         top, height = round(self.scroll_y), self.size.height
         last = min(lines, top + height)
         is_whole = not height or lines <= height
-        position = "" if is_whole else tr(f"{top + 1}-{last} of {lines}, PgUp PgDn")
+        position = (
+            "" if is_whole else tr("{top}-{last} of {lines}, PgUp PgDn", top=top + 1, last=last, lines=lines)
+        )
         if position != self.border_subtitle:
             self.border_subtitle = position
 

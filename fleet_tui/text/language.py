@@ -9,6 +9,7 @@ import json
 import re
 from collections.abc import Callable, Mapping
 from functools import lru_cache
+from typing import Self
 
 from msgspec import Struct
 
@@ -54,6 +55,22 @@ _LISTS = {"; ": re.compile("; "), ", ": re.compile(r", (?![^(]*\))")}
 _FIELD = re.compile(r'(msgid|msgstr)? *(".*")')
 
 
+class Message(str):
+    """A text of the console: as a string its English. It is translated by its `id`, which is the English with
+    places for the values, `no link for {age}`; a value that is no message stays as it is."""
+
+    __slots__ = ("id", "values")
+
+    id: str
+    values: Mapping[str, object]
+
+    def __new__(cls, id: str, /, **values: object) -> Self:
+        made = super().__new__(cls, id.format_map(values) if values else id)
+        made.id = id
+        made.values = values
+        return made
+
+
 class MessagePattern(Struct, frozen=True):
     """A message with places: the longest text between them, all of it as an expression, its translation;
     `fits_all`: it has few letters of its own."""
@@ -68,13 +85,29 @@ class Catalogue:
     """Translations of messages."""
 
     def __init__(self, messages: Mapping[str, str]) -> None:
+        self._messages = messages
         self._plain = {msgid: text for msgid, text in messages.items() if not _PLACE.search(msgid)}
         placed = sorted((msgid for msgid in messages if msgid not in self._plain), key=_freedom)
         self._placed = [_pattern(msgid, messages[msgid]) for msgid in placed]
-        self.translated = lru_cache(REMEMBERED)(self._translated)
+        self._remembered = lru_cache(REMEMBERED)(self._translated)
+
+    def translated(self, text: str) -> str:
+        """Return a text in this language, as it is if the catalogue does not have it."""
+        if not isinstance(text, Message):
+            return self._remembered(text)
+        msgid = text.id.strip()
+        translation = text.id.replace(msgid, self._messages.get(msgid, msgid), 1)
+        if not text.values:
+            return translation
+        return translation.format_map(
+            {
+                name: self.translated(value) if isinstance(value, Message) else value
+                for name, value in text.values.items()
+            }
+        )
 
     def _translated(self, text: str) -> str:
-        """Return a text in this language; lines one by one, one without a translation as it is."""
+        """Return what is not known as a message, line by line."""
         if "\n" in text:
             return "\n".join(map(self.translated, text.split("\n")))
         if len(text) > LONGEST:
@@ -150,20 +183,15 @@ def read_catalogue(text: str) -> dict[str, str]:
     return found
 
 
-def _as_it_is(text: str) -> str:
-    return text
-
-
-_translate: Callable[[str], str] = _as_it_is
+_translate: Callable[[str], str] = str
 
 
 def speak(catalogue: Catalogue | None) -> None:
     """Show all texts of this process in the language of a catalogue, in English without one."""
     global _translate
-    _translate = catalogue.translated if catalogue is not None else _as_it_is
+    _translate = catalogue.translated if catalogue is not None else str
 
 
-def tr(text: str) -> str:
-    """Return a text of the console in the language of its user. Its placeholders in the catalogue are named
-    after the values in braces."""
-    return _translate(text)
+def tr(text: str, /, **values: object) -> str:
+    """Return a text of the console in the language of its user; with values, the message of this id."""
+    return _translate(Message(text, **values) if values else text)

@@ -34,7 +34,7 @@ def _robots(scene: Scene, width: int) -> str:
     """Return the names of the robots on a floor, their number if that is too long for a caption."""
     names, count = ", ".join(robot.name for robot in scene.robots), len(scene.robots)
     if cell_width(names) > width - cell_width(scene.floor) - CAPTION_GAPS:
-        return tr(f"{count} robot{'s' * (count > 1)}")
+        return tr("{count} robot" if count == 1 else "{count} robots", count=count)
     return names or tr("no robot")
 
 

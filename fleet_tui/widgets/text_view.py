@@ -45,7 +45,11 @@ class TextView(RunsView):
         self.paint_rows([*seen, *[cut((), width)] * (height - len(seen))])
         last = self._top + len(seen)
         is_whole = len(lines) <= height
-        self._moved("" if is_whole else tr(f"{self._top + 1}-{last} of {len(lines)}, PgUp PgDn"))
+        self._moved(
+            ""
+            if is_whole
+            else tr("{top}-{last} of {lines}, PgUp PgDn", top=self._top + 1, last=last, lines=len(lines))
+        )
 
     @on(events.MouseScrollUp)
     @on(events.MouseScrollDown)

@@ -126,6 +126,8 @@ def variants(value: ast.expr) -> list[str]:
     """Return the texts that an expression may be, with places; empty if it has no text of its own. A word
     of a row of the table of facts is that word."""
     match value:
+        case ast.Call(func=ast.Name(id="Message"), args=[ast.Constant(value=str(text)), *_]):
+            return [text]
         case ast.Attribute(value=ast.Name(id=row), attr="word") if hasattr(facts, row):
             return [str(getattr(facts, row).word)]
         case ast.Constant(value=str(text)):
@@ -200,9 +202,14 @@ class _Spoken(ast.NodeVisitor):
 
     def visit_Call(self, node: ast.Call) -> None:
         name = getattr(node.func, "attr", getattr(node.func, "id", ""))
-        if name == "tr":
+        if name == "Message":
+            self.found += variants(node)
+            for value in node.keywords:
+                self.visit(value.value)
+        elif name == "tr":
             self.found += variants(node.args[0])
-            self.visit(Calls(node.args[0]).only)
+            for shown in (node.args[0], *(value.value for value in node.keywords)):
+                self.visit(Calls(shown).only)
         elif name not in UNHEARD:
             for at in TOLD.get(name, ()) if self.talks else ():
                 self.found += variants(node.args[at]) if at < len(node.args) else []

@@ -187,19 +187,19 @@ class Pages:
     def frozen(self, page: Page) -> str:
         """Return the text for the time since a page was frozen, empty if it is live."""
         at = self._frozen.get(page)
-        return "" if at is None else tr(f"frozen {age(self._state().now - at)} ago")
+        return "" if at is None else tr("frozen {age} ago", age=age(self._state().now - at))
 
     def copy(self, page: Page, key: Hashable, budget: Budget) -> tuple[str, str]:
         """Return the text to copy, and its description; empty if there is nothing."""
         if page is Page.RAW and self._raw[0] is not None and self.topic is not None:
             text, size = copied(self._raw[0])
-            return text, tr(f"the message of {self.topic[1]}, {size}")
+            return text, tr("the message of {topic}, {size}", topic=self.topic[1], size=size)
         table, key = self.table(page, budget), line_of(key) if page is Page.LOG else key
         if key not in table.keys:
             return "", ""
         row = table.rows[table.keys.index(key)]
         text = "".join(part for part, _ in row.runs).strip()
-        return text, tr(f"the row, {len(text)} characters")
+        return text, tr("the row, {text} characters", text=len(text))
 
 
 def line_of(key: Hashable) -> Hashable:

@@ -99,7 +99,7 @@ class HistoryPages:
         samples = curve_of(charges, shown.time)
         lines = battery_chart(samples, (until, until), size, low, self._clock, drawing) if samples else ()
         title = (
-            (tr(f"Battery of {sanitize(robot)}"), StyleRole.TITLE),
+            (tr("Battery of {robot}", robot=sanitize(robot)), StyleRole.TITLE),
             (tr("  Esc: all robots"), StyleRole.DIM),
         )
         return Table(title, [Row(None, tuple(line)) for line in lines], tr("no level in this time"))

@@ -93,20 +93,25 @@ def title(robot: Robot | None) -> str:
 def changed(names: Sequence[str]) -> str:
     """Return the notice about places that were chosen and are no longer what they were."""
     listed = ", ".join(map(sanitize, names))
-    return tr(f"{listed}: changed meanwhile, choose again")
+    return tr("{listed}: changed meanwhile, choose again", listed=listed)
 
 
 def missing(field: str, typed: str = "") -> str:
     if typed.strip():
-        return tr(f"{tr(field.capitalize())}: Enter takes the marked place")
+        return tr("{capitalize}: Enter takes the marked place", capitalize=tr(field.capitalize()))
     remedy = tr("its name") if field == "robot" else tr("a label or a vertex id")
-    return tr(f"{tr(field.capitalize())} is missing: type {remedy}")
+    return tr("{capitalize} is missing: type {remedy}", capitalize=tr(field.capitalize()), remedy=remedy)
 
 
 def no_match(robot: Robot | None, field: str, typed: str) -> str:
     """Return the text for typed words that are no choice, with the nearest place or nothing."""
     near = did_you_mean(typed, [place.name for place in places(robot)]) if robot and field != "robot" else ""
-    return tr(f"{tr(field.capitalize())}: no match for {typed!r}{sanitize(near)}")
+    return tr(
+        "{capitalize}: no match for {typed}{near}",
+        capitalize=tr(field.capitalize()),
+        typed=f"{typed!r}",
+        near=tr(sanitize(near)),
+    )
 
 
 def without_places(robot: Robot | None) -> str:
@@ -114,9 +119,13 @@ def without_places(robot: Robot | None) -> str:
     if robot is None or places(robot):
         return ""
     if "graph" in robot.kind.reports:
-        return tr(f"{robot.name} has no route graph yet: there are no places to choose")
+        return tr("{name} has no route graph yet: there are no places to choose", name=robot.name)
     aim = tr("; G sends it to a point of the map") if robot.kind.can(GOAL) else ""
-    return tr(f"{robot.name} publishes no route graph: set [[floors]] graph = FILE in the configuration{aim}")
+    return tr(
+        "{name} publishes no route graph: set [[floors]] graph = FILE in the configuration{aim}",
+        name=robot.name,
+        aim=aim,
+    )
 
 
 def hindrance(state: FleetState, robot: Robot | None) -> str:
@@ -130,7 +139,7 @@ def warnings(state: FleetState, robot: Robot | None, found: Sequence[Problem]) -
     """Return what speaks against an order now, its problems `found` and a low battery, empty for nothing."""
     texts = [tr(sanitize(problem.text)) for problem in found]
     if robot is not None and robot.battery is not None and has_low_battery(state, robot):
-        texts.append(tr(f"battery of {robot.name}: {robot.battery.value:.0f} %"))
+        texts.append(tr("battery of {name}: {value} %", name=robot.name, value=f"{robot.battery.value:.0f}"))
         if way_to_charger(state, robot):
             texts.append(tr("charge it first"))
     return "; ".join(texts)
@@ -144,12 +153,14 @@ def scope(robot: Robot | None, typed: str, found: Choices) -> str:
     every, floor = len(places(robot)), sanitize(listed[0].floor)
     own = sum(one.floor == listed[0].floor for one in listed)
     if own == len(listed) < every:
-        return tr(f"{own} of {every}, all on {floor}: type for others")
+        return tr("{own} of {every}, all on {floor}: type for others", own=own, every=every, floor=floor)
     if len(listed) < every:
         count = len(listed)
-        return tr(f"{count} of {every}: type for others")
+        return tr("{count} of {every}: type for others", count=count, every=every)
     others = every - own
-    return tr(f"{own} on {floor}, then {others} elsewhere") if others else ""
+    return (
+        tr("{own} on {floor}, then {others} elsewhere", own=own, floor=floor, others=others) if others else ""
+    )
 
 
 def lines(
@@ -204,10 +215,10 @@ def _about(state: FleetState, robot: Robot | None, place: Place, start: Place | 
     elif start is not None:
         if vertex is not None and begin is not None and place != start:
             metres, named = math.dist((vertex.x, vertex.y), (begin.x, begin.y)), sanitize(start.name)
-            parts.append(tr(f"{metres:.0f} m from {named}"))
+            parts.append(tr("{metres} m from {named}", metres=f"{metres:.0f}", named=named))
     elif vertex is not None and pose is not None:
         metres = math.dist((vertex.x, vertex.y), (pose.value.x, pose.value.y))
-        parts.append(tr(f"{metres:.0f} m away"))
+        parts.append(tr("{metres} m away", metres=f"{metres:.0f}"))
     return ", ".join(parts)
 
 
@@ -215,4 +226,4 @@ def line(choice: Favourite | str) -> str:
     """Return the line of an order to give again, or of a robot."""
     if isinstance(choice, Favourite):
         return f"{sanitize(choice.start.name)} -> {sanitize(choice.end.name)}  ({tr(choice.reason)})"
-    return tr(f"{ANYONE}: the nearest idle robot") if choice == ANYONE else choice
+    return tr("{ANYONE}: the nearest idle robot", ANYONE=ANYONE) if choice == ANYONE else choice

@@ -34,7 +34,7 @@ class OrderSending:
         if robot is not None:
             return self._for(robot, sent)
         if not is_anyone(typed := self._fields["robot"].value.strip(), self._state()):
-            return tr(f"Robot: no match for {typed!r}"), "robot"
+            return tr("Robot: no match for {typed}", typed=f"{typed!r}"), "robot"
         return self._without(("from", "to")) or (self._give_anyone(self._fields.visited, sent), "to")
 
     def _for(self, robot: Robot, sent: Callable[[], None]) -> tuple[str, str]:

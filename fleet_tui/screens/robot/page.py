@@ -110,7 +110,7 @@ class PageSource:
                 records = AuditReader(audit.file.path).newest_first()
                 past = past_alarms(records, audit.origin.run, name, LAST)
             except OSError as failed:
-                note = tr(f"past ones: log not readable: {failed.strerror}")
+                note = tr("past ones: log not readable: {strerror}", strerror=failed.strerror)
         self._past = (name, past, note)
         self._can_draw = True
 

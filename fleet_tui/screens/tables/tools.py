@@ -166,7 +166,7 @@ class FilterLine(Overlay):
         self._pane = pane
         pane.arrangement.is_typing = True
         keys = " ".join(f"{name}:" for name in pane.arrangement.names)
-        self._field.placeholder = tr(f"words !word {keys} Enter keeps, Esc clears")
+        self._field.placeholder = tr("words !word {keys} Enter keeps, Esc clears", keys=keys)
         self._title.update(f" {tr((pane.id or '').capitalize())} /")
         with self._field.prevent(Input.Changed):
             self._field.value = pane.arrangement.typed
@@ -259,7 +259,7 @@ class Outcomes(Static):
             return
         told = zip(self._told, records, strict=True)
         lines = [_line(state, command, problem, record) for (command, problem), record in told]
-        more = [tr(f"and {len(lines) - SHOWN} more: L has all")] if len(lines) > SHOWN else []
+        more = [tr("and {lines} more: L has all", lines=len(lines) - SHOWN)] if len(lines) > SHOWN else []
         text = "\n".join([*lines[:SHOWN], *more])
         if text != self.content:
             self.update(text)

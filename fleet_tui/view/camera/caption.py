@@ -33,10 +33,10 @@ class CameraFacts(NamedTuple):
 def caption(facts: CameraFacts, width: int) -> tuple[str, bool]:
     """Return robot, age, rate and size, as many of them as fit into `width` cells, and whether that is a
     warning."""
-    parts = [fit(tr(f"Camera {sanitize(facts.robot)}"), width).rstrip()]
+    parts = [fit(tr("Camera {robot}", robot=sanitize(facts.robot)), width).rstrip()]
     is_old = facts.seconds is not None and facts.seconds > OLD
     if facts.seconds is not None:
-        parts += [tr(f"old: {age(facts.seconds)}") if is_old else age(facts.seconds), facts.rate]
+        parts += [tr("old: {age}", age=age(facts.seconds)) if is_old else age(facts.seconds), facts.rate]
     if facts.size != (0, 0):
         parts.append(f"{facts.size[0]}x{facts.size[1]}")
     while len(parts) > 1 and cell_width("  ".join(parts)) > width:
@@ -47,10 +47,14 @@ def caption(facts: CameraFacts, width: int) -> tuple[str, bool]:
 def note(facts: CameraFacts) -> str:
     """Return the text in the place of the picture, empty if it is shown."""
     if facts.problem:
-        return facts.problem if facts.problem.startswith("no ") else tr(f"no picture: {facts.problem}")
+        return (
+            facts.problem
+            if facts.problem.startswith("no ")
+            else tr("no picture: {problem}", problem=tr(facts.problem))
+        )
     if facts.seconds is None:
         return tr("waiting for the first picture")
-    return tr(f"no picture for {age(facts.seconds)}") if facts.seconds > GONE else ""
+    return tr("no picture for {age}", age=age(facts.seconds)) if facts.seconds > GONE else ""
 
 
 class PictureRate:
@@ -70,8 +74,8 @@ class PictureRate:
     @property
     def text(self) -> str:
         """Return the rate in words, with the limit that halved it."""
-        halved = tr(f" (limit {self._limit / 1000:g} kB/s)") if self.every > EVERY else ""
-        return tr(f"{1 / self.every:g} fps{halved}")
+        halved = tr(" (limit {limit} kB/s)", limit=f"{self._limit / 1000:g}") if self.every > EVERY else ""
+        return tr("{value} fps{halved}", value=f"{1 / self.every:g}", halved=halved)
 
     def is_due(self, at: float) -> bool:
         """Tell whether another picture may be shown."""

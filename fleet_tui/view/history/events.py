@@ -53,7 +53,7 @@ class PastEvent(Struct, frozen=True):
     @property
     def text(self) -> str:
         """Return it as a line without its time, which no terminal executes."""
-        by = tr(f", by {self.operator}") if self.operator else ""
+        by = tr(", by {operator}", operator=self.operator) if self.operator else ""
         subject = f"{self.subject} " if self.subject else ""
         outcome = f": {tr(self.outcome)}" if self.outcome else ""
         what = self.what if self.kind is EventKind.NOTE else tr(self.what)  # a person's own words

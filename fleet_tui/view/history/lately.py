@@ -95,7 +95,7 @@ def activity_table(
             ((f"{' ' * start}{recent.told(name)}", StyleRole.DIM),),
         )[: 1 + is_told]
     ]
-    since = tr(f"{age(cells / each * recent.every)} ago")
+    since = tr("{age} ago", age=age(cells / each * recent.every))
     head = f"{' ' * start}{since}{tr('now'):>{max(0, cells - len(since))}}"
     title = (tr("Activity"), StyleRole.TITLE), *legend_of(bars.values(), is_ascii)
     return Table(title, tuple(rows), head=((head, StyleRole.DIM),))

@@ -64,7 +64,9 @@ def heat_rows(
 
 def _listed(state: FleetState, places: Sequence[BlockedPlace]) -> list[tuple[Run, ...]]:
     total = sum(place.seconds for place in places)
-    lines: list[tuple[Run, ...]] = [((tr(f" {age(total)} blocked here"), StyleRole.TITLE),)] if places else []
+    lines: list[tuple[Run, ...]] = (
+        [((tr(" {age} blocked here", age=age(total)), StyleRole.TITLE),)] if places else []
+    )
     for place in places:
         at = f"({place.x:.1f}, {place.y:.1f})"
         name = near(state, place)
@@ -106,6 +108,6 @@ def places_table(
     others = [floor for floor in floors if floor != selection.floor]
     said = f" {sanitize(selection.floor)}"
     if others:
-        said += tr(f"; also on {sanitize(', '.join(others))}: f goes there")
+        said += tr("; also on {others}: f goes there", others=tr(sanitize(", ".join(others))))
     title = ((tr("Places"), StyleRole.TITLE), (said, StyleRole.DIM))
     return Table(title, rows if places else [], empty)

@@ -91,7 +91,7 @@ def alarms_table(shown: ShownShift, words: Sequence[str], clock: Clock, is_ascii
     rows = []
     for name, of_one in zip(names, lives, strict=True):
         total, count = sum(_held(life, shown.time) for life in of_one), sum(life.count for life in of_one)
-        often = tr("once") if count == 1 else tr(f"{count} times")
+        often = tr("once") if count == 1 else tr("{count} times", count=count)
         said = f"{fit(often, 10)}{fit(age(total), 8)}"
         line = _held_cells(of_one, shown.time, is_ascii)
         runs = ((f"{fit(sanitize(name), width)} ", StyleRole.TEXT), (said, StyleRole.DIM), *line)
@@ -130,7 +130,11 @@ def _title(name: str, count: str) -> tuple[Run, ...]:
 def _empty(shown: ShownShift, words: Sequence[str], nothing: str) -> str:
     if shown.problem:
         return tr(sanitize(shown.problem))
-    return tr(f"{nothing} with: {sanitize(' '.join(words))}") if words else tr(f"{nothing} in this time")
+    return (
+        tr("{nothing} with: {words}", nothing=nothing, words=sanitize(" ".join(words)))
+        if words
+        else tr("{nothing} in this time", nothing=nothing)
+    )
 
 
 def _has(text: str, words: Sequence[str]) -> bool:
@@ -161,7 +165,7 @@ def _curve(charges: Sequence[ChargeTotal], parts: int, is_ascii: bool) -> str:
 
 
 def _lasts(guess: BatteryForecast | None) -> str:
-    return "" if guess is None else tr(f"empty in {age(guess.empty_in)}")
+    return "" if guess is None else tr("empty in {age}", age=age(guess.empty_in))
 
 
 def _by_alarm(shown: ShownShift) -> list[list[AlarmLife]]:

@@ -48,13 +48,13 @@ def command_text(state: FleetState, command: commands.Command) -> str:
         case commands.PlaceOrder(name, stops):
             return f"{name} {tr(command.text(robot.kind, way(robot, stops)))}"
         case commands.CancelOrder(name, order_id):
-            return tr(f"{name} cancel order {sanitize(order_id)}")
+            return tr("{name} cancel order {order_id}", name=name, order_id=sanitize(order_id))
         case commands.ClearOrders(name):
-            return tr(f"{name} clear all orders")
+            return tr("{name} clear all orders", name=name)
         case commands.PauseRobot(name):
-            return tr(f"{name} pause")
+            return tr("{name} pause", name=name)
         case commands.ResumeRobot(name):
-            return tr(f"{name} resume")
+            return tr("{name} resume", name=name)
         case SetUpCommand(name):
             return f"{name} {tr(command.text)}"
         case _:
@@ -64,7 +64,7 @@ def command_text(state: FleetState, command: commands.Command) -> str:
 def stage_text(record: commands.CommandRecord, now: float) -> str:
     """Return the text of a command's stage, the same everywhere."""
     if record.stage in (commands.Stage.SENT, commands.Stage.ACCEPTED):
-        return f"{tr(record.stage.value)} {tr(f'{age(now - record.at)} ago')}"
+        return f"{tr(record.stage.value)} {tr('{age} ago', age=age(now - record.at))}"
     return tr("sending") if record.stage is commands.Stage.CHECKED else tr(record.stage.value)
 
 
@@ -75,15 +75,17 @@ def _group_runs(
     first = records[0]
     text = command_text(state, first.command)
     if brief and isinstance(first.command, commands.PlaceOrder):
-        text = tr(f"{first.command.robot} order")
+        text = tr("{robot} order", robot=first.command.robot)
     if len(records) > 1:
-        text += tr(f" +{len(records) - 1} more")
+        text += tr(" +{records} more", records=len(records) - 1)
     role = StyleRole.ALARM if first.stage in TROUBLE else _ROLES.get(first.stage, StyleRole.DIM)
     # A robot's answer on accepting ("paused") is true only at that moment.
     detail = "" if first.stage is commands.Stage.ACCEPTED else detail_text(tr(sanitize(first.detail)))
     runs = (text, StyleRole.TEXT), (f": {stage_text(first, state.now)}", role), (detail, StyleRole.DIM)
     others = sanitize(rivals_text(state, first.command.robot))
-    return (*runs, (tr(f", also commanded by {others}"), StyleRole.ACCENT)) if others else runs
+    return (
+        (*runs, (tr(", also commanded by {others}", others=tr(others)), StyleRole.ACCENT)) if others else runs
+    )
 
 
 def _worth_saying(state: FleetState, said_at: float, key_at: float) -> list[commands.CommandRecord]:

@@ -24,7 +24,10 @@ HINTS = (
 def page_runs(page: int, span: str, until: str, width: int) -> tuple[list[Run], list[Run]]:
     """Return the title, all pages, the open one in brackets, in few cells that one alone; at the right the
     time that is shown."""
-    title, time = (tr("History "), StyleRole.TITLE), [(tr(f"{span} to {until} "), StyleRole.TEXT)]
+    title, time = (
+        (tr("History "), StyleRole.TITLE),
+        [(tr("{span} to {until} ", span=span, until=until), StyleRole.TEXT)],
+    )
     runs: list[Run] = [title]
     for number, name in enumerate(HISTORY_PAGES, 1):
         is_shown = number == page
@@ -33,7 +36,18 @@ def page_runs(page: int, span: str, until: str, width: int) -> tuple[list[Run], 
     if width >= ALL_FROM and width_of(runs) + width_of(time) < width:
         return runs, time
     name = list(HISTORY_PAGES)[page - 1]
-    return [title, (tr(f"[{page} of {len(HISTORY_PAGES)} {tr(name)}]"), StyleRole.TITLE_FOCUSED)], time
+    return [
+        title,
+        (
+            tr(
+                "[{page} of {HISTORY_PAGES} {name}]",
+                page=page,
+                HISTORY_PAGES=len(HISTORY_PAGES),
+                name=tr(name),
+            ),
+            StyleRole.TITLE_FOCUSED,
+        ),
+    ], time
 
 
 def foot_runs(keys: Mapping[str, tuple[str, ...]], page: str, said: str) -> tuple[list[Run], list[Run]]:

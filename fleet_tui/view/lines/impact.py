@@ -12,7 +12,6 @@ from fleet_tui.rules.why.reason import mission
 from fleet_tui.text.language import tr
 from fleet_tui.text.limits import some
 from fleet_tui.text.sanitize import sanitize
-from fleet_tui.text.units import counted
 
 MOST_EDGES = 3
 """Edges whose impact is listed."""
@@ -26,10 +25,13 @@ def impact_text(cut: Sequence[CutOrder], may: bool = False) -> str:
     if not cut:
         return tr("cuts the way of no order")
     lost = sum(one.around is None for one in cut)
-    rest = tr(f", {lost} without a detour") if lost else tr(", with a detour")
-    if may:
-        return tr(f"may cut the way of {counted(len(cut), 'order')}{rest}")
-    return tr(f"cuts the way of {counted(len(cut), 'order')}{rest}")
+    rest = tr(", {lost} without a detour", lost=lost) if lost else tr(", with a detour")
+    one, many = (
+        ("may cut the way of {cut} order{rest}", "may cut the way of {cut} orders{rest}")
+        if may
+        else ("cuts the way of {cut} order{rest}", "cuts the way of {cut} orders{rest}")
+    )
+    return tr(one if len(cut) == 1 else many, cut=len(cut), rest=rest)
 
 
 def draft_text(state: FleetState, robot: Robot, route: DraftRoute) -> str:
@@ -37,7 +39,11 @@ def draft_text(state: FleetState, robot: Robot, route: DraftRoute) -> str:
     that is not possible why."""
     floors = {*route.lines, robot.floor} - {None}
     if not robot.kind.changes_floors and (route.by_lift or len(floors) > 1):
-        return tr(f"an order can't change floors: {robot.name} is on {sanitize(robot.floor or '-')}")
+        return tr(
+            "an order can't change floors: {name} is on {floor}",
+            name=robot.name,
+            floor=sanitize(robot.floor or "-"),
+        )
     closed = closed_on_way(state.desk.closed, robot, route.lines)
     named = some([edge_text(robot, edge.ends) for edge in closed])
     return tr(sanitize(f"{route.text}; closed: {named}" if closed else route.text))
@@ -56,7 +62,7 @@ def why_impact(state: FleetState, robot: Robot) -> list[str]:
             lines += [f"    {line}" for line in impact_lines(state, others, MOST_BESIDE)]
     closed = [edge for edge in state.desk.closed if edge.ends != held_up]
     for one in sorted(closed, key=lambda edge: edge.ends[0] != robot.floor)[: MOST_EDGES - bool(lines)]:
-        cut, by = cut_orders(state, one.ends), tr(f"Closed by {one.by or tr('this console')}:")
+        cut, by = cut_orders(state, one.ends), tr("Closed by {by}:", by=one.by or tr("this console"))
         lines += ["", sanitize(f"{by} {edge_text(robot, one.ends)} {impact_text(cut)}")]
         lines += [f"    {line}" for line in impact_lines(state, cut, MOST_BESIDE)]
     return lines
@@ -68,4 +74,4 @@ def impact_lines(state: FleetState, cut: Sequence[CutOrder], most: int = MOST_SH
         told = mission(state.robots[one.robot], one.order)
         yield sanitize(f"{one.robot} {tr(told)}: {tr(one.text)}")
     if len(cut) > most:
-        yield tr(f"and {len(cut) - most} more")
+        yield tr("and {cut} more", cut=len(cut) - most)

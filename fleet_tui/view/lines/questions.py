@@ -27,15 +27,21 @@ def losses(state: FleetState, request: Request) -> Iterator[str]:
         robot = state.robots[command.robot]
         match command:
             case CancelOrder(name, order_id):
-                yield tr(f"Cancel order {sanitize(order_id)} of {name}?")
+                yield tr("Cancel order {order_id} of {name}?", order_id=sanitize(order_id), name=name)
                 orders = all_orders(state, robot)
                 yield from (mission(robot, order) for order in orders if order.id == order_id)
             case ClearOrders(name):
                 orders = clearable(state, robot)
-                yield tr(f"Clear all {len(orders)} order{'s' * (len(orders) != 1)} of {name}?")
+                yield tr(
+                    "Clear all {orders} order of {name}?"
+                    if len(orders) == 1
+                    else "Clear all {orders} orders of {name}?",
+                    orders=len(orders),
+                    name=name,
+                )
                 yield from (f"  {sanitize(order.id)}  {mission(robot, order)}" for order in orders[:SHOWN])
                 if len(orders) > SHOWN:
-                    yield tr(f"  and {len(orders) - SHOWN} more")
+                    yield tr("  and {orders} more", orders=len(orders) - SHOWN)
             case SetUpCommand():
                 yield from map(tr, set_up_losses(state, robot, command))
             case PlaceOrder() | PauseRobot() | ResumeRobot():
@@ -64,14 +70,20 @@ def question(state: FleetState, request: Request, found: Sequence[Problem]) -> s
     if lost:
         return "\n".join([*lost, *against])
     told = ", ".join(against)
-    ask = [told if told.endswith("?") else tr(f"{told}: send anyway?")] if against else [tr("Send?")]
+    ask = (
+        [told if told.endswith("?") else tr("{told}: send anyway?", told=tr(told))]
+        if against
+        else [tr("Send?")]
+    )
     resumed = {command.robot for command in request.commands if isinstance(command, ResumeRobot)}
     robots = list(dict.fromkeys(command.robot for command in request.commands))
-    more = tr(f" and {len(robots) - SHOWN} more") if len(robots) > SHOWN else ""
+    more = tr(" and {robots} more", robots=len(robots) - SHOWN) if len(robots) > SHOWN else ""
     named = [", ".join(map(sanitize, robots[:SHOWN])) + more] if len(robots) > 1 else []
     elsewhere = [
         name for name in robots if name in resumed and is_paused_elsewhere(state, state.robots[name])
     ]
     if len(robots) > 1 and elsewhere:
-        named.append(tr(f"{len(elsewhere)} paused elsewhere: {some(elsewhere)}"))
+        named.append(
+            tr("{elsewhere} paused elsewhere: {some}", elsewhere=len(elsewhere), some=some(elsewhere))
+        )
     return "\n".join([*ask, request_text(state, request), *named])

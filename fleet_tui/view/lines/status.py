@@ -45,7 +45,11 @@ def console_notes(state: FleetState, read_only: bool, armed: bool, standstill: f
     stopped = [robot for robot in held if not is_moving(robot, state.now)]
     # A robot whose kind has no pause drives on: beside it not all are paused.
     robots = len(state.robots)
-    paused = tr(f"ALL {PAUSED}") if len(stopped) == robots else tr(f"{len(stopped)} of {robots} {PAUSED}")
+    paused = (
+        tr("ALL {PAUSED}", PAUSED=tr(PAUSED))
+        if len(stopped) == robots
+        else tr("{stopped} of {robots} {PAUSED}", stopped=len(stopped), robots=robots, PAUSED=tr(PAUSED))
+    )
     notes = {
         paused: len(stopped) >= min(SEVERAL, max(1, sum(map(state.is_online, able)))),
         tr("read-only"): read_only,
@@ -58,16 +62,16 @@ def console_notes(state: FleetState, read_only: bool, armed: bool, standstill: f
 
 def _stalled(seconds: float) -> str:
     if seconds < HUNG_AFTER:
-        return tr(f"no updates for {age(seconds)}")
-    return tr(f"no updates for {age(seconds)}: restart this console")
+        return tr("no updates for {age}", age=age(seconds))
+    return tr("no updates for {age}: restart this console", age=age(seconds))
 
 
 def resume_all(keys: Mapping[str, tuple[str, ...]]) -> str:
     """Return the way to resume all robots: a key, or typed in the palette."""
     if keys["resume_all"]:
-        return tr(f"{key_name(keys['resume_all'][0])} resumes all")
+        return tr("{key_name} resumes all", key_name=key_name(keys["resume_all"][0]))
     key = "".join(map(key_name, keys["palette"][:1]))
-    return tr(f"{key}{' ' * (len(key) > 1)}resume all")
+    return key + " " * (len(key) > 1) + tr("resume all")
 
 
 def _age_runs(link: LinkState, now: float, address: str) -> Iterator[Run]:
@@ -76,16 +80,19 @@ def _age_runs(link: LinkState, now: float, address: str) -> Iterator[Run]:
         if not link.was_up and now - link.since < STARTING:
             yield tr("○ connecting "), StyleRole.TEXT
             return
-        yield tr(f"○ no link for {age(now - link.since)}, "), StyleRole.ALARM
+        yield tr("○ no link for {age}, ", age=age(now - link.since)), StyleRole.ALARM
         if link.phase is Phase.CONNECTING or link.next_try is None:
             yield tr("connecting"), StyleRole.TEXT
         else:
-            yield tr(f"retry in {max(0.0, link.next_try - now):.0f} s"), StyleRole.TEXT
+            yield tr("retry in {value} s", value=f"{max(0.0, link.next_try - now):.0f}"), StyleRole.TEXT
         return
     late = is_late(link)
     yield "● ", StyleRole.WARN if late else StyleRole.GOOD
     if late:
-        yield tr(f"{duration(link.late)} late: {LATE_LINK.word} "), StyleRole.WARN
+        yield (
+            tr("{duration} late: {word} ", duration=duration(link.late), word=tr(LATE_LINK.word)),
+            StyleRole.WARN,
+        )
     yield f"{address} ", StyleRole.TEXT
     if link.last_received is None:
         yield tr("nothing received yet"), StyleRole.DIM
@@ -103,17 +110,21 @@ def _trouble_runs(link: LinkState, now: float, address: str) -> Iterator[Run]:
             return
         if link.reason:
             yield f": {tr(sanitize(link.reason))}", StyleRole.WARN
-        last = "" if link.last_received is None else tr(f", last message {age(now - link.last_received)} ago")
+        last = (
+            ""
+            if link.last_received is None
+            else tr(", last message {age} ago", age=age(now - link.last_received))
+        )
         yield f"{last} {address}", StyleRole.DIM
         return
     if link.waiting_topics:
         done = link.topics - link.waiting_topics
-        yield tr(f" subscribing: {done} of {link.topics} topics"), StyleRole.TEXT
+        yield tr(" subscribing: {done} of {topics} topics", done=done, topics=link.topics), StyleRole.TEXT
     for fact in (dead_commands(link), withheld(link)):
         if fact is not None:
             yield f" {tr(sanitize(fact.text))}", StyleRole.ALARM
     if link.faults:
-        yield tr(f" {link.faults} bad frames"), StyleRole.WARN
+        yield tr(" {faults} bad frames", faults=link.faults), StyleRole.WARN
 
 
 def _worst(state: FleetState) -> LinkState:
@@ -176,10 +187,14 @@ def _head(state: FleetState, selected: str) -> Iterator[Run]:
     shown = f"{sanitize(site)}: {sanitize(selected)}" if site else sanitize(selected)
     yield f" {shown}  ", StyleRole.ACCENT
     sign, role = ("▲", StyleRole.ALARM) if fresh else ("△", StyleRole.TEXT if alarms else StyleRole.DIM)
-    new = tr(f" ({fresh} new)") if fresh else ""
-    yield tr(f"{sign} {alarms} alarm{'s' * (alarms != 1)}") + new, role
+    new = tr(" ({fresh} new)", fresh=fresh) if fresh else ""
+    yield (
+        tr("{sign} {alarms} alarm" if alarms == 1 else "{sign} {alarms} alarms", sign=sign, alarms=alarms)
+        + new,
+        role,
+    )
     if odd := len(to_look_at(state)):
-        yield tr(f", {odd} to look at"), StyleRole.WARN
+        yield tr(", {odd} to look at", odd=odd), StyleRole.WARN
     yield from _by_site(state, role)
     yield "  ", StyleRole.TEXT
 
@@ -191,7 +206,7 @@ def _link_tail(state: FleetState, link: LinkState, address: str) -> list[Run]:
         runs.insert(0, (f"{sanitize(link.name)} ", StyleRole.ALARM))
     if others > 0:
         up = sum(link.phase is Phase.UP for link in state.links.values())
-        runs.append((tr(f"  {up} of {others + 1} links up"), StyleRole.DIM))
+        runs.append((tr("  {up} of {others} links up", up=up, others=others + 1), StyleRole.DIM))
     return runs
 
 

@@ -103,10 +103,14 @@ def factor(speed: float) -> str:
 
 def _pace(moment: ReplayPosition) -> str:
     if moment.busy is not None:
-        return tr(f"seeking: {percent(moment.busy)}")
+        return tr("seeking: {percent}", percent=percent(moment.busy))
     if moment.is_over:
         return tr("end of recording")
-    reached = tr(f" ({factor(round(moment.reached, 1))} reached)") if moment.reached is not None else ""
+    reached = (
+        tr(" ({factor} reached)", factor=factor(round(moment.reached, 1)))
+        if moment.reached is not None
+        else ""
+    )
     return f"{tr('stopped') if moment.paused else tr('playing')} {factor(moment.speed)}{reached}"
 
 
@@ -122,7 +126,7 @@ def position_runs(moment: ReplayPosition, clock: Callable[[float], str], width: 
     sign = "‖" if moment.paused else "▸"
     runs: list[Run] = [
         (f" {sign} {clock(moment.wall)} ", StyleRole.TEXT),
-        (tr(f"{_pace(moment)}  read-only  "), StyleRole.DIM),
+        (tr("{pace}  read-only  ", pace=_pace(moment)), StyleRole.DIM),
     ]
     mark = passed(moment)
     if mark is not None:

@@ -99,17 +99,21 @@ def _others(state: FleetState, robot: Robot, keys: Mapping[str, tuple[str, ...]]
         return
     key = key_name(keys["next_trouble"][0])
     name, others = sanitize(troubled[0]), len(troubled)
-    one, many = (
-        f"{name} is in trouble: {key} goes there",
-        f"{others} other robots are in trouble: {key} goes there",
-    )
-    yield from ("", tr(one if others == 1 else many))
+    yield ""
+    if others == 1:
+        yield tr("{name} is in trouble: {key} goes there", name=name, key=key)
+    else:
+        yield tr("{others} other robots are in trouble: {key} goes there", others=others, key=key)
 
 
 def _standing(state: FleetState, robot: Robot, first: Reason) -> str:
     """Return for how long it stands, unless the first reason says since when, and where."""
     place = tr(sanitize(place_text(robot)))
-    seen = f"{place[:1].upper()}{place[1:]}." if state.is_fresh(robot, "pose") else tr(f"Last seen {place}.")
+    seen = (
+        f"{place[:1].upper()}{place[1:]}."
+        if state.is_fresh(robot, "pose")
+        else tr("Last seen {place}.", place=place)
+    )
     has_age = first.since != stationary_since(robot) or _AGE.search(first.name) is not None
     is_dated = first.since is not None and has_age
     if place and is_dated and state.is_old(robot, "pose"):
@@ -124,13 +128,13 @@ def _movement(state: FleetState, robot: Robot, is_dated: bool) -> str:
     if robot.pose is None or robot.standing is None:
         return tr("No pose received.")
     if state.is_old(robot, "pose"):
-        return tr(f"Last pose {age(state.now - robot.pose.at)} old.")
+        return tr("Last pose {age} old.", age=age(state.now - robot.pose.at))
     if says_driving(state, robot):
         return tr("It reports that it drives.")
     still = robot.still_for
     if says_driving(state, robot) is None and still < STANDS_AFTER:
         return tr("Pose changing.")
-    return tr("Not moving.") if is_dated else tr(f"No movement for {age(still)}.")
+    return tr("Not moving.") if is_dated else tr("No movement for {age}.", age=age(still))
 
 
 def _age(state: FleetState, robot: Robot, reason: Reason) -> str:
@@ -138,9 +142,9 @@ def _age(state: FleetState, robot: Robot, reason: Reason) -> str:
     reported."""
     parts, is_told = [], reason.since == stationary_since(robot) or _AGE.search(reason.name)
     if reason.since is not None and not is_told:
-        parts.append(tr(f"for {age(state.now - reason.since)}"))
+        parts.append(tr("for {age}", age=age(state.now - reason.since)))
     if reason.seen is not None:
-        parts.append(tr(f"reported {ago(reason.seen, state.now)}"))
+        parts.append(tr("reported {ago}", ago=tr(ago(reason.seen, state.now))))
     return ", ".join(part.replace(" ", UNBROKEN) for part in parts)
 
 

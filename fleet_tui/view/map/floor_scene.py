@@ -119,7 +119,15 @@ def _with_map(state: FleetState, floor: Floor, robot_map: RobotMap, scene: Scene
         if (frame.width, frame.height) == (grid.frame.width, grid.frame.height):
             return replace(scene, grid=grid, frame=frame)
         image, size = grid.frame, f"{frame.width} x {frame.height}"
-        return replace(scene, note=tr(f"map image {image.width} x {image.height} px, map_metadata {size}"))
+        return replace(
+            scene,
+            note=tr(
+                "map image {width} x {height} px, map_metadata {size}",
+                width=image.width,
+                height=image.height,
+                size=size,
+            ),
+        )
     if floor.problem:
         return replace(scene, note=tr(floor.problem))
     if grid is not None:
@@ -205,12 +213,16 @@ def _elsewhere(state: FleetState, selection: Selection) -> str:
     """Return the selected robot's place, if not here."""
     robot = state.robots[selection.robot]
     if "pose" not in robot.kind.reports:
-        return tr(f"{robot.name}: no position")
+        return tr("{name}: no position", name=robot.name)
     if robot.pose is None:
-        return tr(f"{robot.name}: no pose yet")
+        return tr("{name}: no pose yet", name=robot.name)
     if robot.floor is None:
-        return tr(f"{robot.name} is on unknown floor {sanitize(robot.frame_id)}")
-    return tr(f"{robot.name} is on {robot.floor}") if robot.floor != selection.floor else ""
+        return tr("{name} is on unknown floor {frame_id}", name=robot.name, frame_id=sanitize(robot.frame_id))
+    return (
+        tr("{name} is on {floor}", name=robot.name, floor=robot.floor)
+        if robot.floor != selection.floor
+        else ""
+    )
 
 
 def _closed(state: FleetState, owner: Robot | None, floor: str) -> list[Ends]:

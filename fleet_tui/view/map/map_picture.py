@@ -102,7 +102,7 @@ def _pieces(facts: Caption) -> list[Piece]:
         (_bar(facts), StyleRole.DIM),
         *_turn(facts),
         *([(tr("zoom robot"), StyleRole.DIM)] if facts.zoom_robot else []),
-        *([(tr(f"{facts.hint} Tab Tab legend"), StyleRole.DIM)] if facts.hint else []),
+        *([(tr("{hint} Tab Tab legend", hint=facts.hint), StyleRole.DIM)] if facts.hint else []),
     ]
 
 
@@ -117,7 +117,7 @@ def _turn(facts: Caption) -> list[Piece]:
     yaw = facts.frame.origin.yaw
     degrees = round(math.degrees(yaw)) if math.isfinite(yaw) else 0
     unit = tr(" deg") if facts.drawing is Drawing.ASCII else "°"
-    return [(tr(f"yaw {degrees}{unit}"), StyleRole.DIM)] if degrees else []
+    return [(tr("yaw {degrees}{unit}", degrees=degrees, unit=tr(unit)), StyleRole.DIM)] if degrees else []
 
 
 def _bar(facts: Caption) -> str:
@@ -247,7 +247,7 @@ class MapPicture:
         if self.mode.cursor is None or scene.grid is None:
             return ""
         column, row = map(math.floor, scene.frame.to_pixel(*self.mode.cursor))
-        return tr(f"cell {column}, {row}")
+        return tr("cell {column}, {row}", column=column, row=row)
 
     def _still(self, scene: Scene, camera: Camera) -> Backdrop:
         """Return the backdrop of the robots, redrawn only on a change."""
@@ -265,15 +265,15 @@ def _trouble_out_of_view(scene: Scene, camera: Camera) -> str:
     seen = {robot.name for robot, _ in seen_robots(replace(scene, robots=alarmed), camera)} if alarmed else ()
     hidden = [robot.name for robot in alarmed if robot.name not in seen]
     if len(hidden) > 1:
-        return tr(f"! {len(hidden)} out of view")
-    return tr(f"! {hidden[0]} out of view") if hidden else ""
+        return tr("! {hidden} out of view", hidden=len(hidden))
+    return tr("! {hidden} out of view", hidden=hidden[0]) if hidden else ""
 
 
 def _out_of_view(scene: Scene, camera: Camera) -> str:
     """Return a note if the selected robot is on the floor and not in the view."""
     selected = tuple(robot for robot in scene.robots if robot.selected and not robot.alarmed)
     is_outside = selected and not seen_robots(replace(scene, robots=selected), camera)
-    return tr(f"{selected[0].name} is out of view") if is_outside else ""
+    return tr("{name} is out of view", name=selected[0].name) if is_outside else ""
 
 
 def _same(before: tuple[Scene, Camera, MapOptions], now: tuple[Scene, Camera, MapOptions]) -> bool:

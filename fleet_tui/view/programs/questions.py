@@ -11,8 +11,16 @@ from fleet_tui.text.sanitize import sanitize
 def change_question(rows: Mapping[str, ProgramRow], name: str, verb: str, now: float) -> str:
     """Return the question, with a line for each consequence."""
     row = rows[name]
-    where = tr(f" on {row.host}") if row.host else ""
-    lines = [tr(f"{tr(verb.capitalize())} {name}{where}? It is {tr(row.state(now).value)}.")]
+    where = tr(" on {host}", host=row.host) if row.host else ""
+    lines = [
+        tr(
+            "{capitalize} {name}{where}? It is {value}.",
+            capitalize=tr(verb.capitalize()),
+            name=name,
+            where=tr(where),
+            value=tr(row.state(now).value),
+        )
+    ]
     lines += consequences(rows, name, verb, now)
     return "\n".join(map(sanitize, lines))
 
@@ -23,11 +31,13 @@ def consequences(rows: Mapping[str, ProgramRow], name: str, verb: str, now: floa
     if verb == "start":
         for need in row.needs:
             if rows[need].state(now) is not ProgramState.RUNNING:
-                yield tr(f"It needs {need}, which is {rows[need].state(now).value}.")
+                yield tr(
+                    "It needs {need}, which is {value}.", need=need, value=tr(rows[need].state(now).value)
+                )
         return
     units = row.status.dependents if row.status is not None else ()
     if units:
-        yield tr(f"systemd also {verb}s {some(units)}.")
+        yield tr("systemd also {verb}s {some}.", verb=tr(verb), some=some(units))
     for other in rows.values():
         if name in other.needs and other.state(now) not in ENDED:
-            yield tr(f"{other.name} needs it, and is {other.state(now).value}.")
+            yield tr("{name} needs it, and is {value}.", name=other.name, value=tr(other.state(now).value))

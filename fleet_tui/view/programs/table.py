@@ -75,16 +75,21 @@ def _runs(
 def note(row: ProgramRow, now: float) -> str:
     """Return what is under way, the reason of a failure, and of an unknown state what was known last."""
     if row.pending:
-        return tr(f"{tr(row.pending)} is under way ...")
+        return tr("{pending} is under way ...", pending=tr(row.pending))
     if row.status is None:
         return tr("looking ...")
     if row.state(now) is not ProgramState.UNKNOWN:
         return tr(sanitize(row.status.detail))
     known = row.last_known
-    before = tr(f"{tr(known.state.value)} {age(now - known.at)} ago; ") if known is not None else ""
+    before = (
+        tr("{value} {age} ago; ", value=tr(known.state.value), age=age(now - known.at))
+        if known is not None
+        else ""
+    )
     is_late = row.status.state is not ProgramState.UNKNOWN
     return sanitize(
-        before + (tr(f"no answer for {age(now - row.status.at)}") if is_late else tr(row.status.detail))
+        before
+        + (tr("no answer for {age}", age=age(now - row.status.at)) if is_late else tr(row.status.detail))
     )
 
 
@@ -95,8 +100,10 @@ def log_table(name: str, found: Sequence[tuple[int, str]], total: int, wanted: s
         number, text = found[n]
         return Row(number, ((sanitize(text), StyleRole.TEXT),))
 
-    counted = tr(f" {len(found)} of {total} lines") + (tr(f", matching {sanitize(wanted)}") if wanted else "")
-    title: list[Run] = [(tr(f"Log of {sanitize(name)}"), StyleRole.TITLE), (counted, StyleRole.DIM)]
+    counted = tr(" {found} of {total} lines", found=len(found), total=total) + (
+        tr(", matching {wanted}", wanted=sanitize(wanted)) if wanted else ""
+    )
+    title: list[Run] = [(tr("Log of {name}", name=sanitize(name)), StyleRole.TITLE), (counted, StyleRole.DIM)]
     if note:
         title.append((f"  {tr(sanitize(note))}", StyleRole.WARN))
     empty = tr("no matching line") if total else tr(sanitize(note)) or tr("no line yet")

@@ -60,7 +60,13 @@ class PageContent(Struct, frozen=True):
 def page_title(state: FleetState, name: str) -> tuple[Run, ...]:
     """Return the robot, its kind and link, and its place in the configuration."""
     robot, names = state.robots[name], list(state.robots)
-    about = tr(f"  {robot.kind.name} on {sanitize(robot.link)}, {names.index(name) + 1} of {len(names)}")
+    about = tr(
+        "  {name} on {link}, {index} of {names}",
+        name=robot.kind.name,
+        link=sanitize(robot.link),
+        index=names.index(name) + 1,
+        names=len(names),
+    )
     return (f" {sanitize(name)}", StyleRole.TITLE_FOCUSED), (about, StyleRole.DIM)
 
 
@@ -119,10 +125,10 @@ def _guesses(content: PageContent) -> Iterator[str]:
     guess = content.forecast
     if guess is None:
         return
-    left = tr(f"{age(guess.empty_in)} left")
+    left = tr("{age} left", age=age(guess.empty_in))
     if guess.low_in is not None:
-        low = tr(f"low at {content.clock(content.state.wall + guess.low_in)[:HOURS_MINUTES]}")
-        yield tr(f"a guess: {low}, about {left}")
-        yield tr(f"maybe {low}")
-    yield tr(f"a guess: about {left}")
-    yield tr(f"maybe {left}")
+        low = tr("low at {wall}", wall=content.clock(content.state.wall + guess.low_in)[:HOURS_MINUTES])
+        yield tr("a guess: {low}, about {left}", low=low, left=left)
+        yield tr("maybe {low}", low=low)
+    yield tr("a guess: about {left}", left=left)
+    yield tr("maybe {left}", left=left)

@@ -120,10 +120,12 @@ def _route(state: FleetState, robot: Robot) -> Iterator[Line]:
     if metres is None or robot.pose is None:
         yield named("Left", (tr("no way on the graph is known"), StyleRole.DIM))
     elif state.is_old(robot, "pose"):
-        seen = tr(f"{metres:.0f} m from its pose {age(state.now - robot.pose.at)} ago")
+        seen = tr(
+            "{metres} m from its pose {age} ago", metres=f"{metres:.0f}", age=age(state.now - robot.pose.at)
+        )
         yield named("Left", (seen, StyleRole.WARN))
     else:
-        yield named("Left", (tr(f"{metres:.0f} m on the graph"), StyleRole.TEXT))
+        yield named("Left", (tr("{metres} m on the graph", metres=f"{metres:.0f}"), StyleRole.TEXT))
 
 
 def orders_section(state: FleetState, robot: Robot) -> PageSection:
@@ -137,12 +139,12 @@ def orders_section(state: FleetState, robot: Robot) -> PageSection:
 
 def _orders(state: FleetState, robot: Robot) -> Iterator[Line]:
     if robot.queue is not None and state.is_old(robot, "queue"):
-        yield named("Queue", (tr(f"{age(state.now - robot.queue.at)} old"), StyleRole.WARN))
+        yield named("Queue", (tr("{age} old", age=age(state.now - robot.queue.at)), StyleRole.WARN))
     waiting = [order for order in robot.orders.open if not robot.orders.is_current(order)]
     for order in waiting[:LAST]:
         yield named("Waiting", (whose_mission(state, robot, order), StyleRole.TEXT))
     if len(waiting) > LAST:
-        yield named("", (tr(f"and {len(waiting) - LAST} more"), StyleRole.DIM))
+        yield named("", (tr("and {waiting} more", waiting=len(waiting) - LAST), StyleRole.DIM))
     yield from ended_rows(state, robot)
 
 
@@ -160,7 +162,7 @@ def _alarms(state: FleetState, robot: Robot, past: Sequence[PastAlarm], clock: C
     own = [alarm for alarm in state.alarms if alarm.condition.source == robot.name]
     for alarm in own:
         role = StyleRole.ALARM if alarm.holds and alarm.needs_acknowledgement else StyleRole.TEXT
-        since = tr(f" since {clock(alarm.first_wall)}")
+        since = tr(" since {first_wall}", first_wall=clock(alarm.first_wall))
         yield ((f"{tr(SIGNS[alarm.stage])} {tr(sanitize(alarm.text))}", role), (since, StyleRole.DIM))
         if alarm.holds:
             action = tr(action_of(alarm.condition))
@@ -170,8 +172,8 @@ def _alarms(state: FleetState, robot: Robot, past: Sequence[PastAlarm], clock: C
         if over.kind in listed:  # listed above, not acknowledged yet
             listed.remove(over.kind)
             continue
-        times = tr(f"{sanitize(over.began)} to {sanitize(over.ended)}")
-        yield ((tr(f"  over {times}  {sanitize(over.text)}"), StyleRole.DIM),)
+        times = tr("{began} to {ended}", began=sanitize(over.began), ended=sanitize(over.ended))
+        yield ((tr("  over {times}  {text}", times=times, text=tr(sanitize(over.text))), StyleRole.DIM),)
 
 
 def commands_section(state: FleetState, robot: Robot, clock: Clock) -> PageSection:

@@ -10,7 +10,7 @@ from fleet_tui.rules.routines.positions import block_at
 from fleet_tui.rules.routines.timeline import TimelineEntry
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import sanitize
-from fleet_tui.text.units import age, counted
+from fleet_tui.text.units import age
 
 HELD = "held"
 PAUSED = "paused"
@@ -21,7 +21,7 @@ NEVER = "never run"
 
 def problem_line(name: str, problem: RoutineProblem) -> str:
     """Return a problem with its place."""
-    return sanitize(tr(f"{name}, line {problem.line}: {problem.text}"))
+    return sanitize(tr("{name}, line {line}: {text}", name=name, line=problem.line, text=tr(problem.text)))
 
 
 def timeline_lines(entries: Sequence[TimelineEntry]) -> Iterator[str]:
@@ -30,10 +30,12 @@ def timeline_lines(entries: Sequence[TimelineEntry]) -> Iterator[str]:
         yield sanitize(f"{robot}:")
         for entry in of_robot:
             at = _clock(entry.at, entry.is_least)
-            lasts = "" if entry.seconds is None else tr(f"about {age(entry.seconds)}")
+            lasts = "" if entry.seconds is None else tr("about {age}", age=age(entry.seconds))
             notes = ", ".join(part for part in (lasts, entry.note) if part)
             yield sanitize(
-                f"{at:>8}  " + tr(f"line {entry.line:<4} {entry.text}") + (f" ({notes})" if notes else "")
+                f"{at:>8}  "
+                + tr("line {line} {text}", line=f"{entry.line:<4}", text=tr(entry.text))
+                + (f" ({notes})" if notes else "")
             )
 
 
@@ -44,7 +46,12 @@ def timeline_totals(entries: Sequence[TimelineEntry]) -> Iterator[str]:
         last = found[-1]
         how = tr("at least") if last.is_least or last.seconds is None else tr("about")
         ends = _clock(last.at + (last.seconds or 0.0), False)
-        yield sanitize(tr(f"{robot}: {counted(len(found), 'instruction')}, {how} {ends} min"))
+        one, many = (
+            "{robot}: {found} instruction, {how} {ends} min",
+            "{robot}: {found} instructions, {how} {ends} min",
+        )
+        text = one if len(found) == 1 else many
+        yield sanitize(tr(text, robot=robot, found=len(found), how=how, ends=ends))
 
 
 def _clock(seconds: float, is_least: bool) -> str:
@@ -61,7 +68,7 @@ def lane_word(lane: Lane) -> str:
 def lane_text(plan: LanePlan, lane: Lane) -> str:
     """Return the current instruction of a lane, and the reason of a hold or a failure."""
     block = None if lane.is_over else block_at(plan, lane.path)
-    at = tr(f"line {block.line}: {block.text}") if block is not None else ""
+    at = tr("line {line}: {text}", line=block.line, text=tr(block.text)) if block is not None else ""
     goes_on = lane_word(lane) in (HELD, PAUSED) and lane.phase is LanePhase.ORDERED
     shows = lane.has_failed or lane.gate is Gate.HELD
     parts = (at, tr("its order goes on") * goes_on, tr(lane.detail) if shows else "")
@@ -70,7 +77,7 @@ def lane_text(plan: LanePlan, lane: Lane) -> str:
 
 def note_text(note: LaneNote) -> str:
     """Return a change of a lane in words."""
-    where = tr(f"line {note.line}: {note.text}: ") if note.line else ""
+    where = tr("line {line}: {text}: ", line=note.line, text=tr(note.text)) if note.line else ""
     return sanitize(f"{where}{note.change}" + (f": {note.detail}" if note.detail else ""))
 
 

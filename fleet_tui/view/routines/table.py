@@ -46,7 +46,7 @@ def routine_table(rows: Sequence[RoutineRow], folder: str, clock: Callable[[floa
     seconds."""
     title = ((tr("Routines"), StyleRole.TITLE), (tr("  Enter: start, pause, resume, stop"), StyleRole.DIM))
     if not rows:
-        text = (tr(f"No routine in {sanitize(folder)}."), *NONE_THERE)
+        text = (tr("No routine in {folder}.", folder=sanitize(folder)), *NONE_THERE)
         return Table(
             ((tr("Routines"), StyleRole.TITLE),),
             [
@@ -61,8 +61,12 @@ def routine_table(rows: Sequence[RoutineRow], folder: str, clock: Callable[[floa
 
 
 def _rows(row: RoutineRow, names: int, clock: Callable[[float], str]) -> Iterator[Row]:
-    times = ", ".join(tr(f"every {time}") for time in row.times)
-    by = tr(f"led by {row.owner}") if row.owner and not any(lane.is_over for lane in row.lanes) else ""
+    times = ", ".join(tr("every {time}", time=time) for time in row.times)
+    by = (
+        tr("led by {owner}", owner=tr(row.owner))
+        if row.owner and not any(lane.is_over for lane in row.lanes)
+        else ""
+    )
     note = "; ".join(sanitize(part) for part in (by, times) if part)
     role = StyleRole.ALARM if row.problem else StyleRole.DIM
     since = clock(row.at) if row.lanes else "-"

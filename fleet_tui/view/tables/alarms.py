@@ -13,7 +13,6 @@ from fleet_tui.rules.alarms.floods import is_group
 from fleet_tui.rules.alarms.trouble import to_look_at, urgency
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import cell_width, fit, folded, sanitize
-from fleet_tui.text.units import counted
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.arrangement import RowArrangement, Value
 from fleet_tui.view.tables.fleet_columns import own_names
@@ -57,7 +56,7 @@ def _row(
     count = f" x{alarm.count}" if alarm.count > 1 else ""
     shelf = ""
     if alarm.stage is AlarmStage.SHELVED:
-        shelf = tr(f" until {clock(state.wall + alarm.shelved_until - state.now)}")
+        shelf = tr(" until {wall}", wall=clock(state.wall + alarm.shelved_until - state.now))
     is_wide = width >= WITH_PRIORITY
     at = clock(alarm.shown_wall)
     runs = _signs(alarm, shelf, is_wide, role)
@@ -184,11 +183,11 @@ def _values(clock: Callable[[float], str]) -> tuple[Value[Alarm], ...]:
 def _title(state: FleetState) -> Iterator[Run]:
     yield tr("Alarms"), StyleRole.TITLE
     if state.unacknowledged:
-        yield tr(f" {state.unacknowledged} new"), StyleRole.ALARM
+        yield tr(" {unacknowledged} new", unacknowledged=state.unacknowledged), StyleRole.ALARM
     if state.shelved:
-        yield tr(f" {state.shelved} shelved"), StyleRole.DIM
+        yield tr(" {shelved} shelved", shelved=state.shelved), StyleRole.DIM
     if suppressed := _suppressed(state):
-        yield tr(f" {suppressed} suppressed"), StyleRole.DIM
+        yield tr(" {suppressed} suppressed", suppressed=suppressed), StyleRole.DIM
 
 
 def _without_alarms(state: FleetState, key: str) -> str:
@@ -196,7 +195,10 @@ def _without_alarms(state: FleetState, key: str) -> str:
     found = len(to_look_at(state))
     if not found:
         return tr("all clear")
-    told = tr(f"no alarms, {counted(found, 'robot')} to look at")
+    told = tr(
+        "no alarms, {found} robot to look at" if found == 1 else "no alarms, {found} robots to look at",
+        found=found,
+    )
     return f"{told} ({key})" if key else told
 
 

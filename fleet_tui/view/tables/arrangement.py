@@ -111,9 +111,9 @@ class RowArrangement:
         if not unknown:
             return tr(NO_MATCH)
         near = did_you_mean(unknown[0], self.names) or f": {', '.join(self.names)}"
-        return tr(f"no value {sanitize(unknown[0])}{near}")
+        return tr("no value {unknown}{near}", unknown=sanitize(unknown[0]), near=tr(near))
 
     def notes(self, shown: int) -> list[Run]:
         """Return what the title says of it; `shown` rows are left."""
         runs = [(f" /{self.typed}: {shown}", StyleRole.ACCENT)] if self.typed else []
-        return runs + [(tr(f" by {tr(self.column)}"), StyleRole.ACCENT)] * bool(self.column)
+        return runs + [(tr(" by {column}", column=tr(self.column)), StyleRole.ACCENT)] * bool(self.column)

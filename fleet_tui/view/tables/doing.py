@@ -54,7 +54,9 @@ def count_word(state: FleetState, robot: Robot, does: Activity | None) -> str:
 
 def counted(count: int, one: str) -> str:
     """Return so many robots of a word: `2 obstacles`, `2 driving`."""
-    return tr(f"{count} obstacle{'s' * (count != 1)}") if one == OBSTACLE else f"{count} {tr(one)}"
+    if one == OBSTACLE:
+        return tr("{count} obstacle" if count == 1 else "{count} obstacles", count=count)
+    return f"{count} {tr(one)}"
 
 
 def doing_role(state: FleetState, robot: Robot) -> StyleRole:

@@ -282,7 +282,7 @@ def fleet_counts(state: FleetState, done: Mapping[str, Activity], width: int) ->
     found = Counter(count_word(state, robot, done.get(name)) for name, robot in robots.items())
     offline = found.pop(Activity.OFFLINE.value, 0)
     online = len(robots) - offline
-    present: Run = (tr(f" {online} of {len(robots)} online"), StyleRole.DIM)
+    present: Run = (tr(" {online} of {robots} online", online=online, robots=len(robots)), StyleRole.DIM)
     counts = [
         (counted(found[one], one), StyleRole.WARN if one in ODD else StyleRole.DIM)
         for one in COUNTED

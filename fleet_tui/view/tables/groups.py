@@ -87,12 +87,13 @@ def head_row(state: FleetState, head: GroupHead, is_folded: bool, troubled: Coll
     runs: list[Run] = [
         (FOLDED if is_folded else UNFOLDED, StyleRole.KEY),
         (sanitize(head.name), StyleRole.TITLE),
-        (tr(f" {count} robot{'s' * (count != 1)}"), StyleRole.DIM),
+        (tr(" {count} robot" if count == 1 else " {count} robots", count=count), StyleRole.DIM),
     ]
     if alarmed:
-        runs.append((tr(f" {alarmed} with alarm{'s' * (alarmed != 1)}"), StyleRole.ALARM))
+        text = " {alarmed} with alarm" if alarmed == 1 else " {alarmed} with alarms"
+        runs.append((tr(text, alarmed=alarmed), StyleRole.ALARM))
     if offline:
-        runs.append((tr(f" {offline} offline"), StyleRole.WARN))
+        runs.append((tr(" {offline} offline", offline=offline), StyleRole.WARN))
     done = activities(state, members) if is_folded else {}
     words = Counter(count_word(state, robot, done.get(robot.name)) for robot in members if is_folded)
     for one in ODD:

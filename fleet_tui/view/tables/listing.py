@@ -124,11 +124,13 @@ class Listing:
             for text, role in self._table.title
         ]
         if self.marks:
-            title.insert(1, (tr(f" {len(self.marks)} marked"), StyleRole.KEY))
+            title.insert(1, (tr(" {marks} marked", marks=len(self.marks)), StyleRole.KEY))
         if len(self._table.rows) > rows and self.cursor is not None and not self._table.title_buttons:
-            seen = tr(f"{self._top + 1}-{self._top + rows} of {len(self._table.rows)}")
+            seen = tr(
+                "{top}-{top2} of {rows}", top=self._top + 1, top2=self._top + rows, rows=len(self._table.rows)
+            )
             if self._table.has_groups:  # else the heads would read as robots
-                seen = tr(f"rows {seen}")
+                seen = tr("rows {seen}", seen=seen)
             title.append((f"  {seen}", StyleRole.DIM))
         rule = StyleRole.ACCENT if focused else StyleRole.RULE
         runs = [("─ ", rule), *title, (" ", rule)]

@@ -18,19 +18,26 @@ def progress_text(state: FleetState, robot: Robot, order: Order) -> str:
     vehicle = robot.vehicle.value if robot.vehicle is not None else None
     if vehicle is not None and robot.orders.is_current(order) and state.is_fresh(robot, "vehicle"):
         left = len(vehicle.nodes_left) + vehicle.horizon
-        return tr(f"{left} node{'s' * (left != 1)} left") if left else ""
+        return tr("{left} node left" if left == 1 else "{left} nodes left", left=left) if left else ""
     if robot.progress is None or not robot.orders.is_current(order) or not state.is_fresh(robot, "progress"):
         return ""
     reported = robot.progress.value
     parts = []
     if reported.metres is not None:
-        parts.append(tr(f"{reported.metres:.{int(reported.metres < 100)}f} m left"))
+        parts.append(tr("{metres} m left", metres=f"{reported.metres:.{int(reported.metres < 100)}f}"))
     if reported.seconds is not None:
-        parts.append(age(reported.seconds) if parts else tr(f"{age(reported.seconds)} left"))
+        parts.append(age(reported.seconds) if parts else tr("{age} left", age=age(reported.seconds)))
     if reported.stop is not None and len(order.stops) > 1:
-        parts.append(tr(f"stop {min(reported.stop + 1, len(order.stops))} of {len(order.stops)}"))
+        parts.append(
+            tr(
+                "stop {stop} of {stops}",
+                stop=min(reported.stop + 1, len(order.stops)),
+                stops=len(order.stops),
+            )
+        )
     if reported.recoveries:
-        parts.append(tr(f"{reported.recoveries} recover{'ies' if reported.recoveries > 1 else 'y'}"))
+        text = "{recoveries} recovery" if reported.recoveries == 1 else "{recoveries} recoveries"
+        parts.append(tr(text, recoveries=reported.recoveries))
     return ", ".join(parts)
 
 

@@ -40,7 +40,7 @@ def _old(state: FleetState, robot: Robot, unheard: Fact | None) -> Iterator[Run]
                 is_calm = unheard.priority is Priority.LOW
                 yield tr(unheard.short), StyleRole.DIM if is_calm else StyleRole.WARN
                 continue
-            yield tr(f"{tr(name)} {age(state.now - reading.at)} old"), StyleRole.WARN
+            yield tr("{name} {age} old", name=tr(name), age=age(state.now - reading.at)), StyleRole.WARN
 
 
 def _paused(state: FleetState, robot: Robot) -> Run:
@@ -114,16 +114,16 @@ def _operators(state: FleetState, robot: Robot) -> Iterator[Run]:
     """Yield who else commands it now, and who has claimed it."""
     if others := rivals(state, robot.name):
         names = " and ".join(dict.fromkeys(one.by for one in others))
-        yield tr(f"also commanded by {sanitize(names)}"), StyleRole.ACCENT
+        yield tr("also commanded by {names}", names=sanitize(names)), StyleRole.ACCENT
     if holders := state.desk.holders(robot.name):
-        yield tr(f"claimed by {sanitize(' and '.join(holders))}"), StyleRole.ACCENT
+        yield tr("claimed by {holders}", holders=sanitize(" and ".join(holders))), StyleRole.ACCENT
 
 
 def _ended(state: FleetState, robot: Robot) -> Iterator[Run]:
     """Yield that an order was lost or left the queue, unless an alarm tells which."""
     end = unexplained_end(state, robot)
     if end is not None and not any(failed_command(state, robot)):
-        yield tr(f"order {end.value}"), StyleRole.WARN
+        yield tr("order {value}", value=tr(end.value)), StyleRole.WARN
 
 
 def _navigation(state: FleetState, robot: Robot) -> Iterator[Run]:

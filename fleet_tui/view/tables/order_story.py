@@ -34,8 +34,10 @@ def origin(state: FleetState, robot: str, order: Order, clock: Callable[[float],
     ours = [record for record in state.commands if record.command.robot == robot]
     for record in ours:
         if record.order_id == order.id and isinstance(record.command, PlaceOrder):
-            return tr(f"sent here at {clock(record.wall)}, {_outcome(record)}")
+            return tr("sent here at {wall}, {outcome}", wall=clock(record.wall), outcome=_outcome(record))
     for record in ours:
         if _may_be(record, order):
-            return tr(f"possibly sent here at {clock(record.wall)}, {_outcome(record)}")
+            return tr(
+                "possibly sent here at {wall}, {outcome}", wall=clock(record.wall), outcome=_outcome(record)
+            )
     return tr("not sent by this console")

@@ -105,7 +105,7 @@ def _row(
     runs += [(mission, StyleRole.WARN if unknown else StyleRole.TEXT), (status, role)]
     if progress := progress_text(state, robot, order):
         runs.append((f", {progress}", StyleRole.DIM))
-    runs.append((tr(f", cancel {leaving}") if leaving else "", StyleRole.WARN))
+    runs.append((tr(", cancel {leaving}", leaving=leaving) if leaving else "", StyleRole.WARN))
     runs.append((tr(", unknown vertex") if unknown else "", StyleRole.WARN))
     key = (robot.name, order.id, position)
     if not has_button:
@@ -130,13 +130,15 @@ def _title(
     clock: Clock | None,
 ) -> list[Run]:
     ours = not all_robots and robot.kind.keeps_goals
-    runs: list[Run] = [(tr("Queue all robots") if all_robots else tr(f"Queue {robot.name}"), StyleRole.TITLE)]
+    runs: list[Run] = [
+        (tr("Queue all robots") if all_robots else tr("Queue {name}", name=robot.name), StyleRole.TITLE)
+    ]
     if all_robots or (robot.kind.lists_orders and (count or not ours)):
-        runs.append((tr(f" {count} order{'s' * (count != 1)}"), StyleRole.DIM))
+        runs.append((tr(" {count} order" if count == 1 else " {count} orders", count=count), StyleRole.DIM))
     if ours and robot.held:
-        runs.append((tr(f" held: {sanitize(robot.held)}"), StyleRole.WARN))
+        runs.append((tr(" held: {held}", held=tr(sanitize(robot.held))), StyleRole.WARN))
     if placed:
-        runs.append((tr(f" +{placed} not in the queue yet"), StyleRole.WARN))
+        runs.append((tr(" +{placed} not in the queue yet", placed=placed), StyleRole.WARN))
     if not all_robots and robot.has_cargo:
         texts = (tr(" cargo on board"), tr(" cargo"), f" {CARGO}")
         left = width - width_of(runs) - len(tr(CLEAR)) - 2
@@ -159,10 +161,10 @@ def _within(title: list[Run], cells: int) -> list[Run]:
 def _ages(state: FleetState, robot: Robot, clock: Clock | None) -> Iterator[Run]:
     """Yield the age of an old queue, and since when it is known."""
     if robot.queue is not None and state.is_old(robot, "queue"):
-        yield tr(f" {age(state.now - robot.queue.at)} old"), StyleRole.WARN
+        yield tr(" {age} old", age=age(state.now - robot.queue.at)), StyleRole.WARN
     wall = known_since(state, robot)
     if wall is not None and clock is not None:
-        yield tr(f" since {clock(wall)[:HOURS_MINUTES]}"), StyleRole.TEXT
+        yield tr(" since {wall}", wall=clock(wall)[:HOURS_MINUTES]), StyleRole.TEXT
 
 
 def known_since(state: FleetState, robot: Robot) -> float | None:

@@ -94,7 +94,7 @@ def _alarm(alarm: Alarm) -> tuple[Run, ...]:
 def _commands(state: FleetState) -> Iterator[Event]:
     together = pauses(state.commands)
     for batch in together:
-        yield batch[0].wall, tr(f"{len(batch)} robots"), partial(_batch, state, batch)
+        yield batch[0].wall, tr("{batch} robots", batch=len(batch)), partial(_batch, state, batch)
     of_batches = {record.id for batch in together for record in batch}
     for record in state.commands:
         if record.id in of_batches:

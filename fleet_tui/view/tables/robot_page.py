@@ -46,7 +46,7 @@ def robot_page(state: FleetState, name: str, width: int, clock: Callable[[float]
     listed = tuple(Row(None, runs) for runs in rows if runs)
     title = (
         (sanitize(name), StyleRole.TITLE),
-        (tr(f" {robot.kind.name} on {sanitize(robot.link)}"), StyleRole.DIM),
+        (tr(" {name} on {link}", name=robot.kind.name, link=sanitize(robot.link)), StyleRole.DIM),
     )
     return Table(title, listed)
 
@@ -111,7 +111,7 @@ def value_rows(state: FleetState, robot: Robot, width: int) -> Iterator[tuple[Ru
 
 
 def _since(seconds: float, is_narrow: bool) -> str:
-    return age(seconds) if is_narrow else tr(f"{age(seconds)} ago")
+    return age(seconds) if is_narrow else tr("{age} ago", age=age(seconds))
 
 
 def _place(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
@@ -125,7 +125,7 @@ def _place(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
         yield named(
             "Jumped",
             (f"{sanitize(robot.relocated.value):<{VALUE}}", StyleRole.TEXT),
-            (tr(f"{age(state.now - robot.relocated.at)} ago"), StyleRole.DIM),
+            (tr("{age} ago", age=age(state.now - robot.relocated.at)), StyleRole.DIM),
         )
 
 
@@ -137,7 +137,7 @@ def _pose_text(state: FleetState, robot: Robot, is_narrow: bool) -> str:
     degrees = f"{math.degrees(pose.yaw):.0f}°" if math.isfinite(pose.yaw) else tr("no heading")
     floor = "" if is_narrow and place_text(robot) else f", {floor_text(state, robot)}"
     if robot.is_estimated:
-        return tr(f"about {pose.x:.1f}, {pose.y:.1f} m{floor}")
+        return tr("about {x}, {y} m{floor}", x=f"{pose.x:.1f}", y=f"{pose.y:.1f}", floor=floor)
     return f"{pose.x:.1f}, {pose.y:.1f} m, {degrees}{floor}"
 
 
@@ -147,7 +147,11 @@ def _percent(reading: Reading[float] | None) -> str:
 
 
 def _contact(reading: Reading[float] | None) -> str:
-    return tr("none") if reading is None or reading.value == 0.0 else tr(f"for {duration(reading.value)}")
+    return (
+        tr("none")
+        if reading is None or reading.value == 0.0
+        else tr("for {duration}", duration=duration(reading.value))
+    )
 
 
 def _yes_or_no(reading: Reading[bool] | None) -> str:
@@ -169,7 +173,7 @@ def ended_rows(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
         text = whose_mission(state, robot, gone.order)
         end = seen_end(state, robot, gone).stage
         role = StyleRole.WARN if end in FAILURES else StyleRole.TEXT
-        ended = tr(f"{age(state.now - gone.at)} ago"), StyleRole.DIM
+        ended = tr("{age} ago", age=age(state.now - gone.at)), StyleRole.DIM
         yield named("Ended", (f"{text}: {tr(end.value)}", role), ended)
         if gone is robot.gone[-1] and (remedy := ORDER_ENDS[end].remedy):
             yield named("", (tr(remedy), StyleRole.TEXT))

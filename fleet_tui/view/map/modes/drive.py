@@ -51,10 +51,12 @@ class DriveMode(PlainMode):
     def banner(self, shown: str) -> str:
         """Return robot and speed."""
         if self.state.phase is DrivePhase.STARTING:
-            return tr(f"DRIVE {sanitize(self.robot)}: starting")
+            return tr("DRIVE {robot}: starting", robot=sanitize(self.robot))
         if self.state.phase is DrivePhase.ENDED:
-            return tr(f"DRIVE {sanitize(self.robot)} ended: let go of the key")
-        return tr(f"DRIVE {sanitize(self.robot)} {self.state.sent.linear:.2f} m/s")
+            return tr("DRIVE {robot} ended: let go of the key", robot=sanitize(self.robot))
+        return tr(
+            "DRIVE {robot} {linear} m/s", robot=sanitize(self.robot), linear=f"{self.state.sent.linear:.2f}"
+        )
 
     @property
     def gauges(self) -> str:
@@ -63,11 +65,11 @@ class DriveMode(PlainMode):
         parts = [self._bar]
         if free is not None:
             more = tr("over ") if free >= FAR else tr("SLOW ") if free < SLOW_WITHIN else ""
-            parts.append(tr(f"{more}{free:.1f} m free"))
+            parts.append(tr("{more}{free} m free", more=more, free=f"{free:.1f}"))
         if turning:
-            parts.append(tr(f"{tr('left') if turning > 0 else tr('right')} {abs(turning):.2f} rad/s"))
+            parts.append(f"{tr('left') if turning > 0 else tr('right')} {abs(turning):.2f} rad/s")
         if trip is not None:
-            parts.append(tr(f"{trip * 1000:.0f} ms"))
+            parts.append(tr("{trip} ms", trip=f"{trip * 1000:.0f}"))
         return "  ".join(parts)
 
     def move(self, view: Viewport, scene: Scene, dx: int, dy: int) -> None:

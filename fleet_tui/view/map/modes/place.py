@@ -43,7 +43,7 @@ class PlaceMode(PlainMode):
     def banner(self, shown: str) -> str:
         """Return the chosen pose: its place and match first, the heading is seen on the map, too."""
         place = place_text(tr(self.title), self.floor, shown, self.cursor)
-        degrees = tr(f"{round(math.degrees(self.yaw)) + 0} degrees")
+        degrees = tr("{degrees} degrees", degrees=round(math.degrees(self.yaw)) + 0)
         return ", ".join(filter(None, (place, tr(self.note), degrees, sanitize(self.robot))))
 
     def adjusted(self, scene: Scene) -> Scene:

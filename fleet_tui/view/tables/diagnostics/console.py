@@ -35,22 +35,35 @@ def _spread(spread: Spread | None) -> str:
     if spread is None:
         return tr("not measured yet")
     median, most, longest = map(milliseconds, spread)
-    return tr(f"{median}, 95 % within {most}, max {longest}")
+    return tr("{median}, 95 % within {most}, max {longest}", median=median, most=tr(most), longest=longest)
 
 
 def _facts(facts: OwnFacts) -> Iterator[tuple[str, str, StyleRole]]:
     over = facts.tick is not None and facts.tick[1] > facts.budget
-    budget = tr(f"  budget {milliseconds(facts.budget)}" + (" exceeded" if over else ""))
+    budget = tr(
+        "  budget {milliseconds} exceeded" if over else "  budget {milliseconds}",
+        milliseconds=milliseconds(facts.budget),
+    )
     yield "tick", _spread(facts.tick) + budget, StyleRole.WARN if over else StyleRole.TEXT
     yield "encoding", _spread(facts.paint), StyleRole.TEXT
-    sent = tr(f"{facts.pictures:.1f} frames/s, {size_text(facts.sent)}/s")
-    held = tr(f", {facts.held:,} held back: terminal not reading" if facts.held else ", none held back")
+    sent = tr(
+        "{pictures} frames/s, {size_text}/s",
+        pictures=f"{facts.pictures:.1f}",
+        size_text=size_text(facts.sent),
+    )
+    held = tr(", none held back")
+    if facts.held:
+        held = tr(", {held} held back: terminal not reading", held=f"{facts.held:,}")
     yield "terminal", sent + held, StyleRole.TEXT
     memory = tr("not available on this system")
     if facts.memory is not None and facts.peak is not None:
-        memory = tr(f"{size_text(facts.memory)}, peak {size_text(facts.peak)}")
+        memory = tr(
+            "{size_text}, peak {size_text2}",
+            size_text=size_text(facts.memory),
+            size_text2=size_text(facts.peak),
+        )
     yield "memory", memory, StyleRole.TEXT
-    yield "process", tr(f"{facts.threads} threads, uptime {facts.up}"), StyleRole.TEXT
+    yield "process", tr("{threads} threads, uptime {up}", threads=facts.threads, up=facts.up), StyleRole.TEXT
 
 
 def console_table(facts: OwnFacts, log: Sequence[str], wanted: str) -> Table:

@@ -25,7 +25,7 @@ _BY_LEVEL: Mapping[int, int] = {Health.ERROR: 0, Health.STALE: 1, Health.WARN: 2
 
 
 def _look(level: int) -> tuple[str, StyleRole]:
-    return _LOOKS.get(level, (tr(f"? level {level}"), StyleRole.WARN))
+    return _LOOKS.get(level, (tr("? level {level}", level=level), StyleRole.WARN))
 
 
 def health_table(links: Links, opened: Collection[Hashable], wanted: str, now: float) -> Table:
@@ -43,9 +43,9 @@ def health_table(links: Links, opened: Collection[Hashable], wanted: str, now: f
     names = column((one.name for _, one in found), 6, 30)
     rows = [row for key, one in found for row in _rows(key, one, names, key in opened, now)]
     levels = Counter(_look(one.level)[0][2:] for _, one in found if one.level != Health.OK)
-    note = tr(f" /diagnostics  {len(found)} parts")
+    note = tr(" /diagnostics  {found} parts", found=len(found))
     note += "".join(f", {count} {word}" for word, count in sorted(levels.items()))
-    note += tr(f", matching {sanitize(wanted)}") if wanted else ""
+    note += tr(", matching {wanted}", wanted=sanitize(wanted)) if wanted else ""
     title = (tr("Robot diagnostics"), StyleRole.TITLE), (note, StyleRole.DIM), *down(links)
     empty = (
         tr("no matching part")

@@ -28,10 +28,10 @@ def down(links: Links) -> tuple[Run, ...]:
     names = [sanitize(link.name) for link, _ in links if link.phase is not Phase.UP]
     late = max((link.late for link, _ in links if is_late(link)), default=0.0)
     if not names:
-        return ((tr(f" messages {duration(late)} late"), StyleRole.WARN),) if late else ()
+        return ((tr(" messages {duration} late", duration=duration(late)), StyleRole.WARN),) if late else ()
     return (
         (
-            tr("no link" if len(links) == 1 else f"no link: {', '.join(names)}").join((" ", "")),
+            " " + (tr("no link") if len(links) == 1 else tr("no link: {names}", names=", ".join(names))),
             StyleRole.ALARM,
         ),
     )

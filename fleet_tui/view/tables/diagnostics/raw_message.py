@@ -38,15 +38,23 @@ def raw_lines(raw: Raw) -> tuple[str, ...]:
     value = _published(raw)
     lines = _plain(raw) if value is _NOTHING else _value_lines(value, 0)
     shown = tuple(sanitize(line) for line in islice(lines, MOST_LINES + 1))
-    return shown if len(shown) <= MOST_LINES else (*shown[:-1], tr(f"… first {MOST_LINES:,} lines only"))
+    return (
+        shown
+        if len(shown) <= MOST_LINES
+        else (*shown[:-1], tr("… first {MOST_LINES} lines only", MOST_LINES=f"{MOST_LINES:,}"))
+    )
 
 
 def copied(raw: Raw) -> tuple[str, str]:
     """Return the text to copy of a message, and its description: complete, whatever the view leaves out."""
     text = "\n".join(sanitize(line) for line in _whole(raw).split("\n"))
     if len(text) <= LONGEST_COPY:
-        return text, tr(f"{len(text):,} characters")
-    return text[:LONGEST_COPY], tr(f"the first {LONGEST_COPY:,} of {len(text):,} characters")
+        return text, tr("{text} characters", text=f"{len(text):,}")
+    return text[:LONGEST_COPY], tr(
+        "the first {LONGEST_COPY} of {text} characters",
+        LONGEST_COPY=f"{LONGEST_COPY:,}",
+        text=f"{len(text):,}",
+    )
 
 
 def raw_table(topic: TopicCounter, raw: Raw | None, why: str, now: float) -> Table:
@@ -55,7 +63,17 @@ def raw_table(topic: TopicCounter, raw: Raw | None, why: str, now: float) -> Tab
     if raw is None:
         return Table(tuple(title), (), tr("no bad message") if why else tr("nothing received yet"))
     kind = "CBOR" if raw.is_binary else "JSON"
-    title.append((tr(f"  {ago(raw.at, now)}, {size_text(raw.size)} of {kind}"), StyleRole.DIM))
+    title.append(
+        (
+            tr(
+                "  {ago}, {size_text} of {kind}",
+                ago=tr(ago(raw.at, now)),
+                size_text=size_text(raw.size),
+                kind=tr(kind),
+            ),
+            StyleRole.DIM,
+        )
+    )
     rows = [Row(n, ((line, StyleRole.TEXT),)) for n, line in enumerate(raw_lines(raw))]
     if why:
         title.append((tr("  bad"), StyleRole.ALARM))
@@ -76,7 +94,11 @@ def _published(raw: Raw) -> Any:
 
 def _plain(raw: Raw) -> Iterator[str]:
     if not raw.is_whole:
-        yield tr(f"… {size_text(raw.size)}, only the first {size_text(len(raw.payload))} kept")
+        yield tr(
+            "… {size_text}, only the first {size_text2} kept",
+            size_text=size_text(raw.size),
+            size_text2=size_text(len(raw.payload)),
+        )
     if raw.is_binary:
         for start in range(0, len(raw.payload), BINARY_LINE):
             yield raw.payload[start : start + BINARY_LINE].hex(" ")
@@ -108,7 +130,9 @@ def _value_lines(value: Any, depth: int, before: str = "", after: str = "") -> I
     for n, (name, item) in enumerate(parts, 1):
         yield from _value_lines(item, depth + 1, name, "," if n < len(parts) or left_out else "")
     if left_out:
-        yield tr(f"{pad}  … {left_out:,} more of {len(value):,}")
+        yield tr(
+            "{pad}  … {left_out} more of {value}", pad=pad, left_out=f"{left_out:,}", value=f"{len(value):,}"
+        )
     yield f"{pad}{closing}{after}"
 
 
@@ -118,7 +142,16 @@ def _inline(value: Any) -> str:
             return f"[… {len(value):,}]"
         shown = ", ".join(map(_scalar, value[:SHOWN_ITEMS]))
         left_out = len(value) - SHOWN_ITEMS
-        return tr(f"[{shown}, … {left_out:,} more of {len(value):,}]") if left_out > 0 else f"[{shown}]"
+        return (
+            tr(
+                "[{shown}, … {left_out} more of {value}]",
+                shown=tr(shown),
+                left_out=f"{left_out:,}",
+                value=f"{len(value):,}",
+            )
+            if left_out > 0
+            else f"[{shown}]"
+        )
     if isinstance(value, dict):
         return f"{{… {len(value):,}}}" if value else "{}"
     return _scalar(value)
@@ -126,9 +159,9 @@ def _inline(value: Any) -> str:
 
 def _scalar(value: Any) -> str:
     if isinstance(value, cbor2.CBORTag) and isinstance(value.value, bytes):
-        return tr(f"… {len(value.value):,} bytes, CBOR tag {value.tag}")
+        return tr("… {value} bytes, CBOR tag {tag}", value=f"{len(value.value):,}", tag=value.tag)
     if isinstance(value, bytes):
-        return tr(f"… {len(value):,} bytes")
+        return tr("… {value} bytes", value=f"{len(value):,}")
     if isinstance(value, str):
         return json.dumps(truncate(value, LONGEST_STRING), ensure_ascii=False)
     if value is None or isinstance(value, bool):

@@ -50,7 +50,9 @@ def _wall(line: LogLine, offset: float) -> float:
 
 
 def _row(line: LogLine, nodes: int, time: str) -> Row:
-    word, role = _LOOKS[line.severity] if line.severity else (tr(f"level {line.level}"), StyleRole.WARN)
+    word, role = (
+        _LOOKS[line.severity] if line.severity else (tr("level {level}", level=line.level), StyleRole.WARN)
+    )
     runs = (
         (f"{time} ", StyleRole.DIM),
         (f"{word:<8}", role),
@@ -81,7 +83,7 @@ def _with_wholes(
 
 def _filters(least: Severity, wanted: str) -> str:
     worse = "" if least is Severity.FATAL else tr(" and worse")
-    return f"{least.name}{worse}" + (tr(f", matching {sanitize(wanted)}") if wanted else "")
+    return f"{least.name}{worse}" + (tr(", matching {wanted}", wanted=sanitize(wanted)) if wanted else "")
 
 
 def robot_log_table(
@@ -109,8 +111,10 @@ def robot_log_table(
 
     rows = LateRows([key for key, _, _ in shown], row)
     note = _filters(least, wanted) + (
-        tr(f", last {ago(_wall(lines[-1], offset), state.wall)}") if lines else ""
+        tr(", last {ago}", ago=tr(ago(_wall(lines[-1], offset), state.wall))) if lines else ""
     )
-    counts = tr(f" /rosout  {len(found)} of {len(lines)} lines, {note}")
+    counts = tr(
+        " /rosout  {found} of {lines} lines, {note}", found=len(found), lines=len(lines), note=tr(note)
+    )
     title = (tr("Robot log"), StyleRole.TITLE), (counts, StyleRole.DIM), *down(links)
     return Table(title, rows, tr("no matching line") if lines else tr(NOTHING))

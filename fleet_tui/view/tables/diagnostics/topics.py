@@ -98,8 +98,8 @@ def topic_table(
         keys, lambda n: Row(keys[n], (*_runs(states[n], found[n][1], names, bad, now, has_sizes, has_why),))
     )
     trouble = sum(role in (StyleRole.WARN, StyleRole.ALARM) for _, role in states)
-    note = tr(f" {len(found)}, {trouble} with problems") + (
-        tr(f", matching {sanitize(wanted)}") if wanted else ""
+    note = tr(" {found}, {trouble} with problems", found=len(found), trouble=trouble) + (
+        tr(", matching {wanted}", wanted=sanitize(wanted)) if wanted else ""
     )
     title = (tr("Topics"), StyleRole.TITLE), (note, StyleRole.DIM), *down(links)
     if any(is_late(link) for link, _ in links):
@@ -143,7 +143,7 @@ def _runs(
     rates = topic.rates(now)
     rate = "" if rates is None else f"{rates[0]:.1f} Hz"
     size = "" if rates is None else f"{size_text(rates[1])}/s"
-    errors = tr(f"{topic.errors:,} bad") if topic.errors else ""
+    errors = tr("{errors} bad", errors=f"{topic.errors:,}") if topic.errors else ""
     runs = [
         (f"{word:<17}", role),
         (f"{tr(ago(topic.at, now)):>10} ", StyleRole.WARN if role is StyleRole.WARN else StyleRole.TEXT),
