@@ -30,6 +30,7 @@ from fleet_tui.state.store import Store
 from fleet_tui.storage.line_file import LineFile
 from fleet_tui.storage.worker import Worker
 from fleet_tui.storage.write_queue import WriteQueue
+from fleet_tui.text.language import in_english
 from fleet_tui.text.sanitize import sanitize
 
 LOG = logging.getLogger(__name__)
@@ -55,7 +56,9 @@ HANGS = "disk not responding"
 def encode(record: AuditRecord) -> bytes:
     """Return a record as a line. Non-ASCII is escaped: no text from outside affects a terminal that shows the
     file."""
-    return json.dumps(msgspec.to_builtins(record), separators=(",", ":")).encode() + b"\n"
+    return (
+        json.dumps(msgspec.to_builtins(record, enc_hook=in_english), separators=(",", ":")).encode() + b"\n"
+    )
 
 
 def operator_name(config: Config) -> str:

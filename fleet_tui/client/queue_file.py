@@ -9,6 +9,7 @@ import msgspec
 from fleet_tui.model.order import Stop
 from fleet_tui.storage.lock import LockFile, owner_of
 from fleet_tui.storage.whole_file import replacing
+from fleet_tui.text.language import in_english
 
 FILE = "queue.json"
 LOCK = "queue.lock"
@@ -74,7 +75,7 @@ class QueueFile:
             return
         try:
             with replacing(path, is_synced=False) as file:
-                file.write(msgspec.json.encode(kept))
+                file.write(msgspec.json.encode(kept, enc_hook=in_english))
             self.problem = ""
         except OSError as problem:
             self.problem = f"{path} not writable: {problem.strerror}"

@@ -14,6 +14,7 @@ from fleet_tui.storage.handles import open_shared
 from fleet_tui.storage.line_file import append_line
 from fleet_tui.storage.lock import lock
 from fleet_tui.storage.whole_file import replace_shared
+from fleet_tui.text.language import in_english
 
 FILE = "facts.jsonl"
 LOCK = "facts.lock"
@@ -56,7 +57,7 @@ class FactFile:
         with self._locked():
             handle = open_shared(self._path, os.O_RDWR | os.O_APPEND | os.O_CREAT)
             try:
-                yield lambda fact: _append(handle, msgspec.json.encode(fact) + b"\n")
+                yield lambda fact: _append(handle, msgspec.json.encode(fact, enc_hook=in_english) + b"\n")
             finally:
                 os.close(handle)
 
@@ -100,7 +101,9 @@ class FactFile:
         finally:
             os.close(handle)
         kept = still_counting([fact for line in lines if (fact := _fact(line)) is not None])
-        replace_shared(self._path, b"".join(msgspec.json.encode(fact) + b"\n" for fact in kept))
+        replace_shared(
+            self._path, b"".join(msgspec.json.encode(fact, enc_hook=in_english) + b"\n" for fact in kept)
+        )
 
     def read(self) -> list[Fact]:
         """Return the facts since the last time, this console's own among them. Raises OSError."""

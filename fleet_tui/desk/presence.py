@@ -21,6 +21,7 @@ from fleet_tui.desk.facts import Name, ShelvedFor
 from fleet_tui.storage.handles import open_shared
 from fleet_tui.storage.lock import LockFile, owner_of
 from fleet_tui.storage.whole_file import replace_shared
+from fleet_tui.text.language import in_english
 
 PREFIX = "console-"
 SUFFIX = ".json"
@@ -84,7 +85,7 @@ class PresenceFile:
             return
         if not self._lock.take():
             raise BlockingIOError(errno.EAGAIN, f"{self._lock.path.name} is locked by another console")
-        replace_shared(self._path, msgspec.json.encode(presence))
+        replace_shared(self._path, msgspec.json.encode(presence, enc_hook=in_english))
         self._last = presence
         self._last_at = now
 

@@ -15,6 +15,7 @@ from fleet_tui.model.graphs.document import DocumentFloor
 from fleet_tui.model.graphs.draft import Change, GraphDraft
 from fleet_tui.storage.handles import open_private
 from fleet_tui.storage.lock import lock
+from fleet_tui.text.language import in_english
 
 SUFFIX = ".draft.jsonl"
 LARGEST = 256 * 2**20
@@ -135,7 +136,7 @@ class DraftFile:
         if self._file is None:
             self._own(self.path.open("r+b"), self._readable)
         assert self._file is not None
-        self._file.write(b"".join(msgspec.json.encode(line) + b"\n" for line in lines))
+        self._file.write(b"".join(msgspec.json.encode(line, enc_hook=in_english) + b"\n" for line in lines))
         self._file.flush()
 
     def close(self) -> None:

@@ -22,6 +22,7 @@ from fleet_tui.model.geometry import MapFrame
 from fleet_tui.model.grid import OccupancyGrid, check_frame
 from fleet_tui.model.occupancy import OCCUPIED, build_grid
 from fleet_tui.recording.upgrade import upgrade_record, upgrade_state
+from fleet_tui.text.language import Message
 
 VERSION = 2
 """Version of the records below. It grows when an older program could not read them any more. Those of version
@@ -136,7 +137,7 @@ class Packer:
 
     def __call__(self, value: Any) -> Any:
         """Return a value in a form that msgspec knows."""
-        if isinstance(value, Path):
+        if isinstance(value, Path | Message):
             return str(value)
         if not isinstance(value, OccupancyGrid):
             raise NotImplementedError(type(value))

@@ -10,6 +10,7 @@ from fleet_tui.errors import RoutineError
 from fleet_tui.model.routines.lane import Gate, Lane, LanePhase
 from fleet_tui.routines.files import RoutineFile
 from fleet_tui.storage.whole_file import write_whole
+from fleet_tui.text.language import in_english
 
 LARGEST = 10_000_000
 
@@ -38,7 +39,7 @@ def progress_path(folder: Path, routine: Path) -> Path:
 def save_progress(path: Path, progress: RoutineProgress) -> None:
     """Write the progress. Raises OSError."""
     path.parent.mkdir(parents=True, exist_ok=True, mode=0o700)
-    write_whole(path, msgspec.json.encode(progress))
+    write_whole(path, msgspec.json.encode(progress, enc_hook=in_english))
 
 
 def load_progress(path: Path) -> RoutineProgress | None:

@@ -21,6 +21,7 @@ from fleet_tui.situation.facts import (
     NOT_ALLOWED,
     UNSOURCED,
 )
+from fleet_tui.text.language import Message
 from fleet_tui.text.limits import some
 from fleet_tui.text.units import age, counted, duration
 
@@ -42,7 +43,7 @@ def no_link(state: FleetState, link: LinkState) -> Fact | None:
         return None
     kind, why = _KINDS.get(link.reason, NO_LINK), f": {link.reason}" if link.reason else ""
     if not link.was_up:
-        kind = kind._replace(over=f"connected after {age(state.now - link.since)}")
+        kind = kind._replace(over=Message("connected after {age}", age=age(state.now - link.since)))
     return Fact(
         kind,
         link.name,
@@ -50,7 +51,7 @@ def no_link(state: FleetState, link: LinkState) -> Fact | None:
         Priority.HIGH,
         link.since,
         short=kind.word,
-        evidence=f"no connection to {link.url}{why}",
+        evidence=Message("no connection to {url}{why}", url=link.url, why=Message(why)),
     )
 
 
@@ -78,7 +79,17 @@ def untried_commands(link: LinkState) -> Fact | None:
     kind = COMMANDS_UNTRIED
     remedy = kind.action[0].lower() + kind.action[1:]
     priority = Priority.MEDIUM if link.command_reason == UNPROVEN else Priority.LOW
-    return Fact(kind, link.name, f"commands {link.command_reason}: {remedy}", priority, link.since)
+    return Fact(
+        kind,
+        link.name,
+        Message(
+            "commands {command_reason}: {remedy}",
+            command_reason=Message(link.command_reason),
+            remedy=Message(remedy),
+        ),
+        priority,
+        link.since,
+    )
 
 
 def is_late(link: LinkState) -> bool:
@@ -94,9 +105,14 @@ def late_link(state: FleetState, link: LinkState) -> Fact | None:
     effects = [f"{counted(silent, 'robot')} silent"] * (silent > 0)
     effects += ["no reply to commands"] * (link.command_path in NO_WAY)
     why, told = LATE_LINK.word, ", ".join(effects)
-    text = f"messages {duration(link.late)} late: {why}"
+    text = Message("messages {duration} late: {why}", duration=duration(link.late), why=Message(why))
     if told:
-        text = f"messages {duration(link.late)} late, {told}: {why}"
+        text = Message(
+            "messages {duration} late, {told}: {why}",
+            duration=duration(link.late),
+            told=Message(told),
+            why=Message(why),
+        )
     priority = Priority.HIGH if told else Priority.MEDIUM
     since = state.began.get((link.name, LATE_LINK.name), state.now)
     return Fact(LATE_LINK, link.name, text, priority, since)
@@ -106,7 +122,10 @@ def unsourced(link: LinkState) -> Fact | None:
     """Find that a bridge cannot read messages of its robots: the commonest mistake in setting it up."""
     if link.phase is not Phase.UP or not link.unsourced:
         return None
-    text = f"rosbridge lacks package {link.unsourced}: source its workspace and restart rosbridge"
+    text = Message(
+        "rosbridge lacks package {unsourced}: source its workspace and restart rosbridge",
+        unsourced=link.unsourced,
+    )
     return Fact(
         UNSOURCED,
         link.name,
@@ -114,7 +133,9 @@ def unsourced(link: LinkState) -> Fact | None:
         Priority.HIGH,
         link.since,
         short=UNSOURCED.word,
-        evidence=f"no message of {link.unsourced} arrives, and others of the same robots do",
+        evidence=Message(
+            "no message of {unsourced} arrives, and others of the same robots do", unsourced=link.unsourced
+        ),
     )
 
 
@@ -125,7 +146,7 @@ def lost_subscriptions(link: LinkState) -> Fact | None:
     return Fact(
         LOST_SUBSCRIPTIONS,
         link.name,
-        f"rosbridge lost its subscriptions of {some(link.dropped)}: restart it",
+        Message("rosbridge lost its subscriptions of {some}: restart it", some=some(link.dropped)),
         Priority.HIGH,
         link.since,
         short=LOST_SUBSCRIPTIONS.word,
@@ -148,7 +169,7 @@ def not_allowed(link: LinkState) -> Fact | None:
     return Fact(
         NOT_ALLOWED,
         link.name,
-        f"the bridge does not allow {names}",
+        Message("the bridge does not allow {names}", names=names),
         Priority.HIGH,
         link.since,
         short=NOT_ALLOWED.word,

@@ -9,6 +9,7 @@ from fleet_tui.situation.fact import Fact
 from fleet_tui.situation.facts import NO_POSE, UNCERTAIN
 from fleet_tui.situation.links import bridge_remedy
 from fleet_tui.situation.navigation import NO_ODOMETRY, inactive
+from fleet_tui.text.language import Message
 from fleet_tui.text.units import age
 
 LOST_ABOVE = 0.5
@@ -32,7 +33,7 @@ def uncertain(robot: Robot, limit: float = LOST_ABOVE) -> Fact | None:
         Priority.MEDIUM,
         found.at,
         short="pose uncertain",
-        evidence=f"within {metres:.1f} m, as its localisation says",
+        evidence=Message("within {metres} m, as its localisation says", metres=f"{metres:.1f}"),
         seen=found.at,
     )
 
@@ -44,12 +45,12 @@ def no_pose(state: FleetState, robot: Robot) -> Fact | None:
         return None
     remedy = bridge_remedy(state, robot, robot.kind.pose_topic)
     if robot.pose is not None:
-        text = f"no pose for {age(state.now - robot.pose.at)}"
-        short = f"pose {age(state.now - robot.pose.at)} old"
+        text: str = Message("no pose for {age}", age=age(state.now - robot.pose.at))
+        short: str = Message("pose {age} old", age=age(state.now - robot.pose.at))
         since, evidence = robot.pose.at, "other reports arrive: the robot may have moved since"
         if _lacks_odometry(state, robot):
             topic = robot.kind.odometry_topic.replace("{robot}", robot.name)
-            evidence = f"no odometry on {topic}: the robot may have moved since"
+            evidence = Message("no odometry on {topic}: the robot may have moved since", topic=topic)
             remedy = bridge_remedy(state, robot, robot.kind.odometry_topic) or NO_ODOMETRY
     elif inactive(state, robot) is None:
         topic = robot.kind.pose_topic.replace("{robot}", robot.name)

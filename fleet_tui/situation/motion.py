@@ -9,6 +9,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.model.vehicles.vehicle import CurrentAction, Vehicle
 from fleet_tui.situation.fact import Fact
 from fleet_tui.situation.facts import DESPITE_PAUSE, STILL_MOVING, STOPPING
+from fleet_tui.text.language import Message
 from fleet_tui.text.units import age
 
 STANDS_AFTER = 1.0
@@ -39,7 +40,7 @@ def running_action(state: FleetState, robot: Robot) -> CurrentAction | None:
 def action_text(state: FleetState, current: CurrentAction) -> str:
     """Return an action with the time that it has taken so far, as far as that was seen."""
     text = f"{current.action.type or 'action'}, {age(state.now - current.since)}"
-    return text if current.is_begin_seen else f"{text} (seen)"
+    return text if current.is_begin_seen else Message("{text} (seen)", text=Message(text))
 
 
 def stands_since(robot: Robot, given_at: float) -> bool | None:
@@ -120,12 +121,12 @@ def moves_despite_pause(state: FleetState, robot: Robot) -> Fact | None:
     evidence = "the robot does not report yet that it stands"
     if not state.is_online(robot) or state.now - at > state.patience(robot):
         text = "not seen to stop"
-        evidence = f"last speed reported {age(state.now - at)} ago"
+        evidence = Message("last speed reported {age} ago", age=age(state.now - at))
     elif motion.is_moving and motion.stood and motion.stood > since and at - since > STOPS_WITHIN:
         kind, text, priority, since = DESPITE_PAUSE, DESPITE_PAUSE.word, Priority.MEDIUM, motion.stood
-        evidence = f"it stood, and reports movement for {age(at - motion.stood)}"
+        evidence = Message("it stood, and reports movement for {age}", age=age(at - motion.stood))
     elif motion.is_moving and at - since > STOPS_WITHIN:
         kind, text, priority = STILL_MOVING, STILL_MOVING.word, Priority.HIGH
-        evidence = f"the robot reports movement {age(at - since)} after the pause"
+        evidence = Message("the robot reports movement {age} after the pause", age=age(at - since))
     remedy = LOCK if robot.kind.may_lock and robot.moves_on_since_pause else ""
     return Fact(kind, robot.name, text, priority, since, remedy, evidence=evidence, seen=at)

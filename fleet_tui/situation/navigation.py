@@ -10,6 +10,7 @@ from fleet_tui.model.navigation import DOWN, Servers
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.situation.fact import Fact
 from fleet_tui.situation.facts import INACTIVE, NAVIGATION_SILENT
+from fleet_tui.text.language import Message
 from fleet_tui.text.units import age
 
 NO_ODOMETRY = "Check its wheel odometry: the node of its base, the topic's name"
@@ -24,13 +25,17 @@ def inactive_cause(servers: Servers, is_counted: bool, is_placed: bool) -> tuple
     """Return why servers are not active, and what to do: a node that is down, else what they wait for as they
     start. `is_counted`: the robot has odometry, `is_placed`: a pose on the map."""
     if servers.state == DOWN:
-        return f"{servers.node} down", f"Start {servers.node} again, then all of Nav2: see its log"
+        return Message("{node} down", node=servers.node), Message(
+            "Start {node} again, then all of Nav2: see its log", node=servers.node
+        )
     if not is_counted:
         return "no odometry", NO_ODOMETRY
     if not is_placed:
         return "no pose yet: set one", "Set its pose: its navigation waits for it"
     if servers.node:
-        return f"{servers.node} {servers.state}", f"See the log of {servers.node}, or start Nav2 again"
+        return f"{servers.node} {servers.state}", Message(
+            "See the log of {node}, or start Nav2 again", node=servers.node
+        )
     return "paused or not started", "Start it: by RViz's Nav2 panel, or nav2_bringup with autostart"
 
 
@@ -86,10 +91,14 @@ def silent_navigation(state: FleetState, robot: Robot) -> Fact | None:
     order, ceased = robot.orders.current, _ceased(state, robot)
     if ceased is not None and order is not None:
         since, evidence = ceased
-        text = f"navigation silent for {age(state.now - since)} ({robot.order_text(order)})"
+        text = Message(
+            "navigation silent for {age} ({order_text})",
+            age=age(state.now - since),
+            order_text=robot.order_text(order),
+        )
     elif _is_unsteady(state, robot) and robot.place is not None:
         since = robot.place.at
-        text = f"navigation silent again and again, no movement for {age(state.now - since)}"
+        text = Message("navigation silent again and again, no movement for {age}", age=age(state.now - since))
         evidence = (
             "it answers each order for a moment, and the robot does not move: its navigation server has "
             "probably crashed each time"

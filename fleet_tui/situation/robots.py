@@ -24,6 +24,7 @@ from fleet_tui.situation.facts import (
 )
 from fleet_tui.situation.links import bridge_remedy, is_late
 from fleet_tui.situation.motion import SELDOM
+from fleet_tui.text.language import Message
 from fleet_tui.text.units import age
 
 WAKE = "Wake it by its master control (stopHibernation)"
@@ -86,20 +87,22 @@ def silence(state: FleetState, robot: Robot) -> Fact:
         kind = SILENT
         text = f"{SILENT.word} ({known.text})"
         evidence = "link up, no messages"
-        question = f"{robot.name} is {text}"
+        question = Message("{name} is {text}", name=robot.name, text=Message(text))
     elif robot.is_undated or robot.kept_at is not None:
         kind = AGE_UNKNOWN
         text = AGE_UNKNOWN.word
         evidence = "link up, one message received: it may be an old one"
-        question = f"the one message of {robot.name} is of unknown age"
+        question = Message("the one message of {name} is of unknown age", name=robot.name)
     else:
         kind = NEVER_SEEN
-        text = NEVER_SEEN.word if known is None else f"no state yet ({known.text})"
+        text = (
+            NEVER_SEEN.word if known is None else Message("no state yet ({text})", text=Message(known.text))
+        )
         what = "message" if known is None else "state"
-        evidence = f"link up, no {what} received"
+        evidence = Message("link up, no {what} received", what=Message(what))
         question = f"{robot.name} was {NEVER_SEEN.word}"
         if known is not None:
-            question = f"{robot.name} has sent no state yet: it sends one every 30 s"
+            question = Message("{name} has sent no state yet: it sends one every 30 s", name=robot.name)
     if known is not None and known.is_asleep:
         remedy = WAKE
     else:
@@ -114,7 +117,9 @@ def silence(state: FleetState, robot: Robot) -> Fact:
         since,
         remedy=remedy,
         # Behind a late bridge that of the map, if something else has come since.
-        short=f"pose {age(state.now - pose.at)} old" if pose and is_behind and not is_certain else text,
+        short=Message("pose {age} old", age=age(state.now - pose.at))
+        if pose and is_behind and not is_certain
+        else text,
         evidence=evidence,
         question=question,
         is_certain=is_certain,
@@ -150,12 +155,20 @@ def _unreadable(state: FleetState, robot: Robot) -> Fact | None:
     return Fact(
         BAD_DATA,
         robot.name,
-        f"all messages are bad, {robot.faults} so far: {robot.last_fault}",
+        Message(
+            "all messages are bad, {faults} so far: {last_fault}",
+            faults=robot.faults,
+            last_fault=Message(robot.last_fault),
+        ),
         Priority.MEDIUM,
         at,
         short=bad_text(robot),
-        evidence=f"link up, messages arrive: {robot.last_fault}",
-        question=f"nothing that {robot.name} sends can be read: {robot.last_fault}",
+        evidence=Message("link up, messages arrive: {last_fault}", last_fault=Message(robot.last_fault)),
+        question=Message(
+            "nothing that {name} sends can be read: {last_fault}",
+            name=robot.name,
+            last_fault=Message(robot.last_fault),
+        ),
         seen=at,
     )
 
@@ -193,7 +206,7 @@ def _old_stamps(state: FleetState, robot: Robot) -> Fact | None:
             robot.clock.at,
             short=UNDATED_POSE.word,
             evidence="one pose received: it may be an old one",
-            question=f"the one pose of {robot.name} is of unknown age",
+            question=Message("the one pose of {name} is of unknown age", name=robot.name),
             seen=robot.clock.at,
         )
     patience = robot.kind.silence_of("pose", state.limits.offline_after) + state.behind
@@ -205,11 +218,11 @@ def _old_stamps(state: FleetState, robot: Robot) -> Fact | None:
     return Fact(
         kind,
         robot.name,
-        f"poses arrive {age(lag)} old",
+        Message("poses arrive {age} old", age=age(lag)),
         priority,
         robot.pose.at,
-        short=f"pose {age(lag)} old",
-        evidence=f"{what}: their time stamps lag",
+        short=Message("pose {age} old", age=age(lag)),
+        evidence=Message("{what}: their time stamps lag", what=Message(what)),
         seen=robot.pose.at,
         is_certain=not is_late(state.links[robot.link]),
     )
@@ -229,7 +242,8 @@ def adrift(state: FleetState, robot: Robot) -> Fact | None:
     if pose is None or located is None or located_at is None or not state.is_fresh(robot, "pose"):
         return None
     metres = math.dist((located.x, located.y), (pose.value.x, pose.value.y))
-    how, since = f"{metres:.0f} m by its wheels alone", robot.adrift_at
+    how: str = Message("{metres} m by its wheels alone", metres=f"{metres:.0f}")
+    since = robot.adrift_at
     if since is None and _repeats_feedback(state, robot):
         how, since = "its feedback repeats the last pose", located_at
     if since is None or state.now - since < ADRIFT_FOR:
@@ -238,12 +252,14 @@ def adrift(state: FleetState, robot: Robot) -> Fact | None:
     return Fact(
         ADRIFT,
         robot.name,
-        f"pose estimated, localisation silent for {silence}",
+        Message("pose estimated, localisation silent for {silence}", silence=Message(silence)),
         Priority.MEDIUM,
         since,
         remedy=bridge_remedy(state, robot, robot.kind.pose_topic),
         short="pose estimated",
-        evidence=f"localisation silent for {silence}: {how}",
+        evidence=Message(
+            "localisation silent for {silence}: {how}", silence=Message(silence), how=Message(how)
+        ),
         seen=pose.at,
     )
 
@@ -271,7 +287,11 @@ def drives_on(state: FleetState, robot: Robot) -> Fact | None:
         DRIVES_ON.word,
         Priority.MEDIUM,
         last.at,
-        evidence=f"{mission} failed {age(since_end)} ago, and its pose still changes",
+        evidence=Message(
+            "{mission} failed {age} ago, and its pose still changes",
+            mission=Message(mission),
+            age=age(since_end),
+        ),
         seen=standing.at,
     )
 

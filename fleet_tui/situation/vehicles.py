@@ -7,6 +7,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.model.vehicles.vehicle import HIGH, MEDIUM, VehicleError
 from fleet_tui.situation.fact import Fact, FactKind
 from fleet_tui.situation.facts import BY_HAND, CLEARANCE, E_STOP, FAULT, MAP_DISABLED, UNLOCALISED
+from fleet_tui.text.language import Message
 from fleet_tui.text.sanitize import sanitize
 
 REPORTED = "reported by the vehicle"
@@ -49,7 +50,7 @@ def by_hand(robot: Robot) -> Fact | None:
     """Find a mode in which no master control drives it."""
     if robot.vehicle is None or robot.vehicle.value.takes_orders:
         return None
-    text = f"mode {robot.vehicle.value.mode_text}"
+    text = Message("mode {mode_text}", mode_text=Message(robot.vehicle.value.mode_text))
     return _reported(robot, BY_HAND, text, Priority.LOW)._replace(evidence="it takes no orders")
 
 
@@ -62,7 +63,9 @@ def clearance(robot: Robot) -> Fact | None:
     fact = _reported(robot, CLEARANCE, CLEARANCE.word, Priority.LOW)
     if asked:
         remedy = "Look at the master control: it grants what the vehicle asks for"
-        return fact._replace(evidence=f"it asks its master control for {asked}", remedy=remedy)
+        return fact._replace(
+            evidence=Message("it asks its master control for {asked}", asked=Message(asked)), remedy=remedy
+        )
     if not left:
         return fact._replace(evidence="it asks its master control for more of its route")
     evidence = f"at the end of what is released, {left} node{'s' * (left != 1)} of its order not released"
@@ -74,8 +77,8 @@ def map_disabled(robot: Robot) -> Fact | None:
     if robot.vehicle is None or not robot.vehicle.value.map_off:
         return None
     used = ", ".join(robot.vehicle.value.maps)
-    text = f"map {robot.vehicle.value.map_off} is not enabled"
-    evidence = f"the vehicle uses {used}" if used else "the vehicle uses none of its maps"
+    text = Message("map {map_off} is not enabled", map_off=robot.vehicle.value.map_off)
+    evidence = Message("the vehicle uses {used}", used=used) if used else "the vehicle uses none of its maps"
     return _reported(robot, MAP_DISABLED, text, Priority.LOW)._replace(evidence=evidence, is_certain=False)
 
 

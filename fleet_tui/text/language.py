@@ -65,10 +65,19 @@ class Message(str):
     values: Mapping[str, object]
 
     def __new__(cls, id: str, /, **values: object) -> Self:
+        if isinstance(id, cls):
+            return id
         made = super().__new__(cls, id.format_map(values) if values else id)
         made.id = id
         made.values = values
         return made
+
+
+def in_english(value: object) -> str:
+    """Return a message as msgspec has to write it: its hook for what it does not know."""
+    if isinstance(value, Message):
+        return str(value)
+    raise NotImplementedError(type(value))
 
 
 class MessagePattern(Struct, frozen=True):

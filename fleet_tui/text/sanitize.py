@@ -5,6 +5,8 @@ from collections.abc import Iterator
 from functools import lru_cache
 from textwrap import wrap
 
+from fleet_tui.text.language import Message
+
 _UNSEEN = frozenset({"Cf", "Zl", "Zp", "Cs", "Co", "Cn"})
 # Letters that fill a cell without a mark: Hangul fillers, the braille blank, variation selectors.
 _BLANK = frozenset("\u115f\u1160\u3164\uffa0\u2800") | {chr(c) for c in range(0xFE00, 0xFE10)}
@@ -25,9 +27,16 @@ def _safe(letter: str) -> str:
 def sanitize(text: str) -> str:
     """Return `text` without anything that moves the cursor, hides, or turns the reading direction.
 
-    Control characters become their pictures (ESC: ␛), all other invisible ones U+FFFD.
+    Control characters become their pictures (ESC: ␛), all other invisible ones U+FFFD. A message stays one.
     """
-    return text if text.isascii() and text.isprintable() else _made_visible(text)
+    if text.isascii() and text.isprintable():
+        return text
+    if isinstance(text, Message):
+        values = {
+            name: sanitize(value) if isinstance(value, str) else value for name, value in text.values.items()
+        }
+        return Message(_made_visible(text.id), **values)
+    return _made_visible(text)
 
 
 @lru_cache(maxsize=1024)

@@ -15,6 +15,7 @@ from fleet_tui.model.routines.blocks import RoutineProblem
 from fleet_tui.routines.files import RoutineFile
 from fleet_tui.routines.start import problems_of, timeline_of
 from fleet_tui.rules.routines.timeline import TimelineEntry
+from fleet_tui.text.language import in_english
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.routines.lines import problem_line, timeline_lines
 
@@ -49,7 +50,11 @@ def _print(
 ) -> None:
     if as_json:
         found = {"problems": problems, "no_link": no_link, "timeline": entries}
-        say(json.dumps({"version": VERSION, "routine": file.name, **msgspec.to_builtins(found)}))
+        say(
+            json.dumps(
+                {"version": VERSION, "routine": file.name, **msgspec.to_builtins(found, enc_hook=in_english)}
+            )
+        )
         return
     for problem in problems:
         say(problem_line(file.name, problem), err=True)

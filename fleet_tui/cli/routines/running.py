@@ -39,6 +39,7 @@ from fleet_tui.routines.progress import RoutineProgress, progress_path, resumabl
 from fleet_tui.routines.run import RoutineRun, RunParts
 from fleet_tui.routines.start import problems_of
 from fleet_tui.rules.routines.orders import objection
+from fleet_tui.text.language import in_english
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.routines.lines import lane_text, note_text, problem_line
 
@@ -196,7 +197,7 @@ class _Running:
             return
         now = datetime.now(UTC).isoformat(timespec="milliseconds")
         known = {"version": VERSION, "time": now, "routine": self._file.name, "robot": robot}
-        self._say(json.dumps(known | msgspec.to_builtins(note)))
+        self._say(json.dumps(known | msgspec.to_builtins(note, enc_hook=in_english)))
 
     def _warn(self, text: str) -> None:
         if text != self._not_saved:

@@ -34,6 +34,7 @@ from fleet_tui.situation.robots import (
     silence,
 )
 from fleet_tui.situation.robots import bad_data as find_bad_data
+from fleet_tui.text.language import Message
 from fleet_tui.text.units import age
 
 FIRST_LINK = 10.0
@@ -80,14 +81,14 @@ def battery(state: FleetState, robot: Robot, active: ActiveConditions) -> Condit
     was_critical = before is not None and before.priority is Priority.MEDIUM
     critical = limits.battery_critical + (limits.battery_band if was_critical else 0.0)
     # Rounded down: 19.6 is below 20, and must not read 20.
-    text = f"battery {int(reading.value)} %"
+    text: str = Message("battery {value} %", value=int(reading.value))
     if state.is_old(robot, "battery"):
-        text += f", {age(state.now - reading.at)} ago"
+        text += Message(", {age} ago", age=age(state.now - reading.at))
     due = -math.inf
     charges = charger_used(state, robot) is not None or charging_reported(state, robot) is not None
     if robot.standing is not None and charges:
         due = robot.standing.at + CHARGES_WITHIN
-        text += f" after {age(state.now - robot.standing.at)} at the charger"
+        text += Message(" after {age} at the charger", age=age(state.now - robot.standing.at))
     priority = Priority.MEDIUM if reading.value < critical else Priority.LOW
     over, remedy = "battery charging or recovered", charging_remedy(state, robot)
     if charges and state.now >= due:
@@ -106,9 +107,9 @@ def pause(state: FleetState, robot: Robot, active: ActiveConditions) -> Conditio
         return fact.condition(fact.since)
     if fact is not None and fact.kind is DESPITE_PAUSE:
         return fact.condition(math.inf)  # it needs no alarm, and is not paused for long
-    text = f"paused for {age(state.now - since)}"
+    text = Message("paused for {age}", age=age(state.now - since))
     if not state.is_paused(robot) and robot.paused is not None:
-        text = f"pause last reported {age(state.now - robot.paused.at)} ago"
+        text = Message("pause last reported {age} ago", age=age(state.now - robot.paused.at))
     due = since + state.limits.pause_after
     return Condition(robot.name, "pause", Priority.LOW, text, "pause ended", due)
 
@@ -138,9 +139,14 @@ def stuck(state: FleetState, robot: Robot, active: ActiveConditions) -> Conditio
     cause, driven = cause_of_standing(state, robot), robot.order_text(order)
     text = f"{'paused, ' * is_paused}no movement for {age(state.now - place.at)} ({driven})"
     if not known:
-        text = f"{driven}: not moving at last report"
+        text = Message("{driven}: not moving at last report", driven=driven)
     elif cause:
-        text = f"no movement for {age(state.now - place.at)}: {cause} ({driven})"
+        text = Message(
+            "no movement for {age}: {cause} ({driven})",
+            age=age(state.now - place.at),
+            cause=Message(cause),
+            driven=driven,
+        )
     return Condition(robot.name, "stuck", Priority.MEDIUM, text, "no longer stuck", due)
 
 

@@ -8,6 +8,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.fleets.facility import DOOR, LANES, LIFT, Facility
 from fleet_tui.model.order import natural
 from fleet_tui.model.robot import Robot
+from fleet_tui.text.language import Message
 from fleet_tui.text.units import age
 
 SILENT_AFTER = 5.0
@@ -24,9 +25,9 @@ def listed(state: FleetState, link: str = "") -> list[Facility]:
 
 def facility_text(state: FleetState, one: Facility) -> str:
     """Return a facility with its state, its user, and the age of an old state."""
-    user = f", used by {one.user}" if one.user else ""
+    user = Message(", used by {user}", user=one.user) if one.user else ""
     old = state.now - one.at
-    aged = f", {age(old)} ago" if old > SILENT_AFTER else ""
+    aged = Message(", {age} ago", age=age(old)) if old > SILENT_AFTER else ""
     link = f" ({one.link})" if len(state.links) > 1 else ""
     return f"{one.sort} {one.name}{link}: {one.state}{user}{aged}"
 
@@ -37,7 +38,11 @@ def facility_conditions(state: FleetState) -> Iterator[Condition]:
         if one.fault:
             source = f"{one.link}: {one.name}" if len(state.links) > 1 else one.name
             yield Condition(
-                source, "facility", Priority.MEDIUM, f"{one.sort} {one.fault}", f"{one.sort} in service"
+                source,
+                "facility",
+                Priority.MEDIUM,
+                f"{one.sort} {one.fault}",
+                Message("{sort} in service", sort=one.sort),
             )
 
 

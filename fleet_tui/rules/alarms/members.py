@@ -5,6 +5,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.fleets.member import ADAPTER_ERROR, EMERGENCY, Member
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.floods import ActiveConditions
+from fleet_tui.text.language import Message
 
 FAILED_MODES = frozenset({EMERGENCY, ADAPTER_ERROR})
 
@@ -13,7 +14,7 @@ def issue_text(member: Member) -> str:
     """Return the first issue of a robot, with the number of others, else a mode in which it can't drive;
     empty for neither."""
     first, *more = (*member.issues, "")
-    others = f" (and {len(more) - 1} more)" if len(more) > 1 else ""
+    others = Message(" (and {more} more)", more=len(more) - 1) if len(more) > 1 else ""
     return f"{first}{others}" if first else member.mode if member.mode in FAILED_MODES else ""
 
 
@@ -29,7 +30,7 @@ def issue(state: FleetState, robot: Robot, active: ActiveConditions) -> Conditio
 def issue_remedy(state: FleetState, text: str) -> str:
     """Return what to do about an issue with a lift or a door that it names; empty if it names none."""
     named = next((one.name for one in state.facilities.values() if one.name in text), "")
-    return f"Go to {named}: its power, its network, its mode" if named else ""
+    return Message("Go to {named}: its power, its network, its mode", named=named) if named else ""
 
 
 MEMBER_RULES = (issue,)

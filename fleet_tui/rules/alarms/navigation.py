@@ -13,6 +13,7 @@ from fleet_tui.situation.facts import UNCERTAIN
 from fleet_tui.situation.localisation import FOUND_BELOW, LOST_ABOVE, no_pose, uncertain
 from fleet_tui.situation.navigation import inactive, silent_navigation
 from fleet_tui.situation.robots import absence, adrift, drives_on
+from fleet_tui.text.language import Message
 from fleet_tui.text.units import age
 
 STARTS_WITHIN = 10.0
@@ -34,7 +35,11 @@ def not_sure_where(state: FleetState, robot: Robot, active: ActiveConditions) ->
         return fact.condition()
     if (since := misplaced_for_long(state, robot)) is None or robot.misplaced is None:
         return None
-    text = f"localisation wrong for {age(state.now - since)}: {robot.misplaced.value}"
+    text = Message(
+        "localisation wrong for {age}: {value}",
+        age=age(state.now - since),
+        value=Message(robot.misplaced.value),
+    )
     return Condition(robot.name, "localisation", Priority.MEDIUM, text, "localisation recovered")
 
 
@@ -78,7 +83,7 @@ def failed_order(state: FleetState, robot: Robot, _active: ActiveConditions) -> 
         return None
     if any(record.order_id == last.order.id for record in state.commands):
         return None
-    text = f"{robot.order_text(last.order)} failed"
+    text = Message("{order_text} failed", order_text=robot.order_text(last.order))
     cause, parts = cause_of_end(robot, last), frozenset({last.order.id})
     found = f"{text}: {cause or 'no reason reported'}"
     fact = drives_on(state, robot)

@@ -18,6 +18,7 @@ from fleet_tui.situation.motion import moves_despite_pause, running_action, says
 from fleet_tui.situation.navigation import inactive
 from fleet_tui.situation.robots import absence, adrift, bad_data, obstacle, silent
 from fleet_tui.situation.vehicles import FINDERS
+from fleet_tui.text.language import Message
 
 LONG_STILL = 30.0
 """Seconds of standing with an order that are worth a look: longer than loading takes."""
@@ -236,13 +237,13 @@ def trouble_elsewhere(state: FleetState, floor: str) -> str:
     be looked at there; empty if nobody."""
     away = _away(state, in_trouble(state) - acknowledged(state), floor)
     if len(away) == 1:
-        return f"! {away[0].name} on {away[0].floor}"
+        return Message("! {name} on {floor}", name=away[0].name, floor=away[0].floor)
     if away:
-        return f"! {len(away)} on other floors"
+        return Message("! {away} on other floors", away=len(away))
     odd = _away(state, to_look_at(state), floor)
     if len(odd) == 1:
-        return f"look at {odd[0].name} on {odd[0].floor}"
-    return f"look at {len(odd)} on other floors" if odd else ""
+        return Message("look at {name} on {floor}", name=odd[0].name, floor=odd[0].floor)
+    return Message("look at {odd} on other floors", odd=len(odd)) if odd else ""
 
 
 def _away(state: FleetState, names: Iterable[str], floor: str) -> list[Robot]:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from fleet_tui.model.commands import Command, CommandRecord, PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.rules.commands.pauses import FOREIGN
+from fleet_tui.text.language import Message
 from fleet_tui.text.limits import some
 
 TOGETHER = 0.3
@@ -56,7 +57,11 @@ def batch_name(state: FleetState, commands: Sequence[Command]) -> str:
     """Return the name of pauses or resumes of several robots: `pause all`, `resume 3 robots`."""
     robots = {command.robot for command in commands}
     verb = "pause" if isinstance(commands[0], PauseRobot) else "resume"
-    return f"{verb} all" if robots == set(state.robots) else f"{verb} {len(robots)} robots"
+    return (
+        Message("{verb} all", verb=Message(verb))
+        if robots == set(state.robots)
+        else Message("{verb} {robots} robots", verb=Message(verb), robots=len(robots))
+    )
 
 
 def summary(state: FleetState, batch: Sequence[CommandRecord]) -> tuple[str, str]:
@@ -69,7 +74,9 @@ def summary(state: FleetState, batch: Sequence[CommandRecord]) -> tuple[str, str
     parts = [_part(word, found[word]) for word in words if word in found]
     foreign = [record.command.robot for record in batch if record.detail.startswith(FOREIGN)]
     if foreign:
-        parts.append(f"goals of other clients stopped, not resumable from here ({some(foreign)})")
+        parts.append(
+            Message("goals of other clients stopped, not resumable from here ({some})", some=some(foreign))
+        )
     return batch_name(state, [record.command for record in batch]), ", ".join(parts)
 
 

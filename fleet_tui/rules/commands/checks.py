@@ -33,6 +33,7 @@ from fleet_tui.rules.commands.route_checks import (
 )
 from fleet_tui.rules.commands.set_up import checks as set_up
 from fleet_tui.situation.robots import absence
+from fleet_tui.text.language import Message
 from fleet_tui.text.limits import some
 from fleet_tui.text.units import age
 
@@ -40,7 +41,11 @@ from fleet_tui.text.units import age
 def claimed(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
     """Check that no other console of the desk has claimed the robot."""
     if names := state.desk.other_holders(robot.name):
-        yield Problem("claimed", f"{robot.name} is claimed by {' and '.join(names)}", blocks=False)
+        yield Problem(
+            "claimed",
+            Message("{name} is claimed by {names}", name=robot.name, names=" and ".join(names)),
+            blocks=False,
+        )
 
 
 _NOT_POSITIVE = re.compile(r"-[0-9]+|0+", re.ASCII)
@@ -61,7 +66,14 @@ def permitted(allowed: Permissions) -> Iterator[Problem]:
 
 def unknown_robot(state: FleetState, name: str) -> Problem:
     """Check that the robot exists."""
-    return Problem("unknown robot", f"unknown robot {name}{did_you_mean(name, state.robots)}")
+    return Problem(
+        "unknown robot",
+        Message(
+            "unknown robot {name}{did_you_mean}",
+            name=name,
+            did_you_mean=Message(did_you_mean(name, state.robots)),
+        ),
+    )
 
 
 def no_link(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
@@ -69,9 +81,18 @@ def no_link(state: FleetState, robot: Robot, command: Command) -> Iterator[Probl
     link = state.links[robot.link]
     if link.phase is not Phase.UP:
         reason = link.reason or "not connected yet"
-        yield Problem("no link", f"{robot.name} is unreachable: {reason}")
+        yield Problem(
+            "no link", Message("{name} is unreachable: {reason}", name=robot.name, reason=Message(reason))
+        )
     elif link.command_path is CommandPath.DEAD:
-        yield Problem("no link", f"no command path to {robot.name}: {link.command_reason}")
+        yield Problem(
+            "no link",
+            Message(
+                "no command path to {name}: {command_reason}",
+                name=robot.name,
+                command_reason=Message(link.command_reason),
+            ),
+        )
 
 
 def silent(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
@@ -87,7 +108,7 @@ def paused(state: FleetState, robot: Robot, command: Command) -> Iterator[Proble
     """Check that an order would be driven now."""
     if isinstance(command, PlaceOrder) and state.is_paused(robot):
         how = "paused" if robot.paused is not None else own_pause_text(state, robot)
-        yield Problem("paused", f"{robot.name} is {how}", blocks=False)
+        yield Problem("paused", Message("{name} is {how}", name=robot.name, how=Message(how)), blocks=False)
 
 
 def unconfirmable_queue(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
@@ -95,8 +116,14 @@ def unconfirmable_queue(state: FleetState, robot: Robot, command: Command) -> It
     if not isinstance(command, PlaceOrder) or robot.last_received is None or not state.is_online(robot):
         return
     if robot.kind.expects("queue") and not state.is_fresh(robot, "queue"):
-        since = "was not received" if robot.queue is None else f"is {age(state.now - robot.queue.at)} old"
-        text = f"the queue of {robot.name} {since}: the order can't be confirmed"
+        since = (
+            "was not received"
+            if robot.queue is None
+            else Message("is {age} old", age=age(state.now - robot.queue.at))
+        )
+        text = Message(
+            "the queue of {name} {since}: the order can't be confirmed", name=robot.name, since=Message(since)
+        )
         yield Problem("queue unheard", text, blocks=False)
 
 
@@ -106,17 +133,29 @@ def not_in_queue(state: FleetState, robot: Robot, command: Command) -> Iterator[
         return
     # If ids are numbers: other kinds have their own words for all orders.
     if _NOT_POSITIVE.fullmatch(command.order_id):
-        text = f"order id {command.order_id} means all orders to the robot: use clear instead"
+        text = Message(
+            "order id {order_id} means all orders to the robot: use clear instead", order_id=command.order_id
+        )
         yield Problem("id means all", text)
         return
     old = not state.is_fresh(robot, "queue")
     order = next((one for one in all_orders(state, robot) if one.id == command.order_id), None)
     if order is None and robot.kind.lists_orders:
         its = "an order" if robot.kind.keeps_goals else "in the queue"
-        text = f"order {command.order_id} is not {its} of {robot.name}"
+        text = Message(
+            "order {order_id} is not {its} of {name}",
+            order_id=command.order_id,
+            its=Message(its),
+            name=robot.name,
+        )
         yield Problem("not in the queue", text + (" at last report" if old else ""), blocks=not old)
     elif order is not None and order.is_over:
-        text = f"order {command.order_id} of {robot.name} is already {order.state_text}"
+        text = Message(
+            "order {order_id} of {name} is already {state_text}",
+            order_id=command.order_id,
+            name=robot.name,
+            state_text=Message(order.state_text),
+        )
         yield Problem("not in the queue", text, blocks=not old)
 
 
@@ -140,12 +179,16 @@ def cargo(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem
     if not command.with_cargo:
         if robot.has_cargo and not robot.orders.orders:
             start = robot.name_of(command.stops[0].vertex) or command.stops[0].vertex
-            text = f"{robot.name} carries cargo: drive to {start} first?"
+            text: str = Message("{name} carries cargo: drive to {start} first?", name=robot.name, start=start)
             yield Problem("cargo on board", text, blocks=False)
     elif not robot.has_cargo:
         sure = state.is_fresh(robot, "cargo")
-        text = f"{robot.name} has no cargo on board: an order needs From and To"
-        yield Problem("no cargo", text if sure else f"{robot.name} does not report cargo on board", sure)
+        text = Message("{name} has no cargo on board: an order needs From and To", name=robot.name)
+        yield Problem(
+            "no cargo",
+            text if sure else Message("{name} does not report cargo on board", name=robot.name),
+            sure,
+        )
     elif waiting:
         text = f"{robot.name} has cargo on board, and {waiting} order{'s' * (waiting > 1)} pending"
         yield Problem("cargo on board", text, blocks=False)
@@ -234,4 +277,4 @@ def repeated(request: Request, given: Mapping[tuple[Command, ...], float], now: 
     places = any(isinstance(command, PlaceOrder) for command in request.commands)
     if at is None or now - at >= SAME_WITHIN or not places:
         return []
-    return [Problem("repeated", f"same order sent {now - at:.1f} s ago")]
+    return [Problem("repeated", Message("same order sent {now} s ago", now=f"{now - at:.1f}"))]

@@ -31,6 +31,7 @@ from fleet_tui.rules.commands.order_search import find_order, queue_since
 from fleet_tui.rules.commands.pauses import WAITS, instead_of_pause, pause_seen
 from fleet_tui.rules.commands.set_up.confirmation import instead_of_set_up, set_up_seen
 from fleet_tui.situation.motion import is_moving
+from fleet_tui.text.language import Message
 
 BIDDING = 15.0
 """Seconds for which fleets may bid for an order to any robot, before one has it."""
@@ -81,7 +82,10 @@ def _still_there(robot: Robot, record: CommandRecord) -> list[str] | None:
             left = []
         case _:
             assert_never(record.command)
-    return [f"order {order.id} is {order.state_text}" for order in left]
+    return [
+        Message("order {id} is {state_text}", id=order.id, state_text=Message(order.state_text))
+        for order in left
+    ]
 
 
 def _is_bid_for(state: FleetState, record: CommandRecord) -> bool:

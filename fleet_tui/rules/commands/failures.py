@@ -20,6 +20,7 @@ from fleet_tui.rules.commands.batches import batches
 from fleet_tui.situation.facts import STILL_MOVING
 from fleet_tui.situation.robots import drives_on as find_drives_on
 from fleet_tui.text.details import detail_text
+from fleet_tui.text.language import Message
 
 FAILED_FOR = 30.0
 """Seconds for which a command that failed counts as news."""
@@ -61,7 +62,7 @@ def _request_text(robot: Robot, command: commands.Command) -> str:
         case commands.PlaceOrder(_, stops):
             return command.text(robot.kind, route_text(stops, lambda vertex: robot.name_of(vertex) or vertex))
         case commands.CancelOrder(_, order_id):
-            return f"cancel order {order_id}"
+            return Message("cancel order {order_id}", order_id=order_id)
         case commands.ClearOrders():
             return "clear all orders"
         case commands.PauseRobot():
@@ -109,7 +110,7 @@ def taken_back(state: FleetState) -> set[Key]:
 
 def _cause(robot: Robot, last: commands.CommandRecord) -> str:
     """Return why an order of this console failed, empty if nothing tells."""
-    detail = last.detail.removeprefix(f"order {last.order_id}: ")
+    detail = last.detail.removeprefix(Message("order {order_id}: ", order_id=last.order_id))
     gone = next((one for one in reversed(robot.gone) if one.order.id == last.order_id), None)
     if gone is not None and detail in ("", UNSAID):
         return cause_of_end(robot, gone)
@@ -138,11 +139,13 @@ def failure_remedy(state: FleetState, robot: Robot, last: commands.CommandRecord
 
 def _texts(robot: Robot, last: commands.CommandRecord, request: str) -> tuple[str, str]:
     """Return the text of a failure while it is news, and after."""
-    detail = last.detail.removeprefix(f"order {last.order_id}: ")
+    detail = last.detail.removeprefix(Message("order {order_id}: ", order_id=last.order_id))
     if last.stage is commands.Stage.FAILED and isinstance(last.command, commands.PlaceOrder):
         # In the form of an order of another client.
         cause = _cause(robot, last) or "no reason reported"
-        return f"{request} failed: {cause}", f"{request} failed"
+        return Message("{request} failed: {cause}", request=request, cause=Message(cause)), Message(
+            "{request} failed", request=request
+        )
     told = f"{request}{detail_text(last.detail)}"
     if last.stage in _CAUSED and last.detail:
         told = f"{detail} ({request})"
@@ -155,7 +158,7 @@ def _failed(state: FleetState, key: Key, records: Sequence[commands.CommandRecor
     request = _request_text(state.robots[last.command.robot], last.command)
     robots = {record.command.robot for record in records}
     if len(robots) > 1:
-        request += f" of {len(robots)} robots"
+        request += Message(" of {robots} robots", robots=len(robots))
     # The only one of many is named first: the alarm is the link's.
     whose = f"{last.command.robot} " if len(robots) == 1 and key[0] not in robots else ""
     high = any(isinstance(record.command, commands.PauseRobot) for record in records)

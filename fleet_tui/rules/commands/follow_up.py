@@ -33,6 +33,7 @@ from fleet_tui.rules.commands.order_ends import (
 )
 from fleet_tui.rules.commands.order_search import find_order
 from fleet_tui.rules.commands.pauses import is_overtaken
+from fleet_tui.text.language import Message
 from fleet_tui.text.units import age
 
 ANSWER_WITHIN = 1.0
@@ -70,7 +71,13 @@ def _lost_pause(state: FleetState, robot: Robot, record: CommandRecord) -> Comma
         return record
     if last_command(state, robot, PauseRobot, ResumeRobot) is not record:
         return record
-    return record.advanced(Step(Stage.LOST, state.now, f"{STARTED_OVER}: no longer paused"))
+    return record.advanced(
+        Step(
+            Stage.LOST,
+            state.now,
+            Message("{STARTED_OVER}: no longer paused", STARTED_OVER=Message(STARTED_OVER)),
+        )
+    )
 
 
 def _ended(state: FleetState, robot: Robot, record: CommandRecord) -> CommandRecord:
@@ -111,7 +118,13 @@ def _cause(robot: Robot, gone: GoneOrder, reason: str) -> str:
 
 
 def _advanced_to(state: FleetState, record: CommandRecord, stage: Stage, reason: str) -> CommandRecord:
-    return record.advanced(Step(stage, state.now, f"order {record.order_id}: {reason}"))
+    return record.advanced(
+        Step(
+            stage,
+            state.now,
+            Message("order {order_id}: {reason}", order_id=record.order_id, reason=Message(reason)),
+        )
+    )
 
 
 def _corrected(state: FleetState, robot: Robot, record: CommandRecord) -> CommandRecord:
@@ -122,7 +135,12 @@ def _corrected(state: FleetState, robot: Robot, record: CommandRecord) -> Comman
     known = [one for one in robot.gone if one.order.id == record.order_id and one.at >= record.issued_at]
     again = robot.traces.get(record.order_id or "") if Stage.CONFIRMED in NEXT[record.stage] else None
     if again is not None and again.order.serial == record.order_serial:
-        return _advanced_to(state, record, Stage.CONFIRMED, f"listed again; corrects: {record.stage.value}")
+        return _advanced_to(
+            state,
+            record,
+            Stage.CONFIRMED,
+            Message("listed again; corrects: {value}", value=Message(record.stage.value)),
+        )
     listed = _listed(robot, record, state.now)
     gone = listed or (known[-1] if known else None)
     if gone is None or not (robot.kind.reports_ends or gone.order.serial == record.order_serial):
@@ -130,12 +148,23 @@ def _corrected(state: FleetState, robot: Robot, record: CommandRecord) -> Comman
     stage, reason, _ = end_of(state, robot, gone, record)
     if stage not in NEXT[record.stage] or (stage is Stage.DONE and record.has_further_leg(robot.kind)):
         return record  # nothing better is known, or that was only one of its stops
-    return _advanced_to(state, record, stage, f"{reason}; corrects: {record.stage.value}")
+    return _advanced_to(
+        state,
+        record,
+        stage,
+        Message("{reason}; corrects: {value}", reason=Message(reason), value=Message(record.stage.value)),
+    )
 
 
 def _waiting(state: FleetState, robot: Robot, record: CommandRecord, why: str) -> CommandRecord:
     assert record.order_id is not None
-    kept = record.advanced(Step(Stage.WAITING, state.now, f"order {record.order_id}: {why}"))
+    kept = record.advanced(
+        Step(
+            Stage.WAITING,
+            state.now,
+            Message("order {order_id}: {why}", order_id=record.order_id, why=Message(why)),
+        )
+    )
     goals = (*record.earlier_goals, record.order_id)
     return replace(kept, order_id=next_id(state, robot), order_serial=None, earlier_goals=goals)
 
@@ -175,7 +204,7 @@ def _carried_out_late(state: FleetState, robot: Robot, record: CommandRecord) ->
             order = find_order(state, robot, record) if waits else None
             if order is None:
                 return record
-            return record.recognised(order, _late(state, record, f"order {order.id}"))
+            return record.recognised(order, _late(state, record, Message("order {id}", id=order.id)))
         case CancelOrder() | ClearOrders():
             happened = any(
                 one.at > record.at
@@ -216,4 +245,10 @@ def _is_repeated(state: FleetState, record: CommandRecord) -> bool:
 
 
 def _late(state: FleetState, record: CommandRecord, shown: str) -> Step:
-    return Step(Stage.LATE, state.now, f"{shown}, {age(state.now - record.issued_at)} after the command")
+    return Step(
+        Stage.LATE,
+        state.now,
+        Message(
+            "{shown}, {age} after the command", shown=Message(shown), age=age(state.now - record.issued_at)
+        ),
+    )

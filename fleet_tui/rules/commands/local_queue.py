@@ -22,6 +22,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import SendGoal, StartCharging
 from fleet_tui.rules.commands.goals import own_ids
 from fleet_tui.rules.commands.masters import asked_about, own_mode
+from fleet_tui.text.language import Message
 
 PREFIX = "k"
 """Prefix of the ids of orders that are kept here: a robot's goals have hexadecimal ones."""
@@ -143,7 +144,7 @@ def failed_before(state: FleetState, robot: Robot, command_id: int) -> str:
     given_at = next((one.issued_at for one in orders if one.id == command_id), None)
     together = (one for one in orders if one.issued_at == given_at and one.id < command_id)
     failed = (one for one in together if one.is_decided and one.stage not in _WELL)
-    return next((f"order before it: {one.stage.value}" for one in failed), "")
+    return next((Message("order before it: {value}", value=Message(one.stage.value)) for one in failed), "")
 
 
 def next_to_send(state: FleetState, robot: Robot) -> CommandRecord | None:
@@ -231,11 +232,17 @@ def _reasons(state: FleetState, robot: Robot) -> Iterator[str]:
     if link.phase is not Phase.UP:
         yield "the link was lost"
     elif last is not None and last >= link.since and not state.is_online(robot):  # else it was not heard yet
-        yield f"{robot.name} was offline"
+        yield Message("{name} was offline", name=robot.name)
     for one in waiting(state, robot)[:1]:
         # On another floor the same ids are other places.
         if one.before.floor and robot.floor and one.before.floor != robot.floor:
-            yield f"order {one.order_id} is for {one.before.floor}, {robot.name} is on {robot.floor}"
+            yield Message(
+                "order {order_id} is for {floor}, {name} is on {floor2}",
+                order_id=one.order_id,
+                floor=one.before.floor,
+                name=robot.name,
+                floor2=robot.floor,
+            )
         # Nobody was asked about an emergency stop or a fatal error since: a new order would be.
         against = (problem.text for problem in own_mode(state, robot, one.command))
         yield from (text for text in against if text not in robot.accepted)

@@ -10,6 +10,7 @@ from fleet_tui.model.problem import Problem
 from fleet_tui.model.robot import Robot, RobotMap
 from fleet_tui.model.vehicles.vehicle import HIGH
 from fleet_tui.rules.commands.goals import active
+from fleet_tui.text.language import Message
 from fleet_tui.text.limits import some
 from fleet_tui.text.units import age
 
@@ -32,7 +33,11 @@ def shared_way(state: FleetState, robot: Robot, command: Command) -> Iterator[Pr
         if other is not robot and other.floor == robot.floor and own & _ways_left(other)
     ]
     if others:
-        text = f"the way of {robot.name} shares an edge with {some(others)}: no traffic control here"
+        text = Message(
+            "the way of {name} shares an edge with {some}: no traffic control here",
+            name=robot.name,
+            some=some(others),
+        )
         yield Problem("shared way", text, blocks=False)
 
 
@@ -59,10 +64,21 @@ def other_master(now: float, robot: Robot, command: Command) -> str:
     if robot.vehicle is None or not isinstance(command, PlaceOrder | CancelOrder | ClearOrders):
         return ""
     if robot.master is not None and now - robot.master.at < QUIET_FOR:
-        seen = f"{robot.master.value}, {age(now - robot.master.at)} ago"
-        return f"another master control commands {robot.name} ({seen}): stop it, or wait {QUIET_FOR:.0f} s"
+        seen = Message(
+            "{value}, {age} ago", value=Message(robot.master.value), age=age(now - robot.master.at)
+        )
+        return Message(
+            "another master control commands {name} ({seen}): stop it, or wait {QUIET_FOR} s",
+            name=robot.name,
+            seen=seen,
+            QUIET_FOR=f"{QUIET_FOR:.0f}",
+        )
     foreign = next((goal.id for goal in active(robot.goals) if not goal.is_ours), "")
-    return f"{robot.name} drives order {foreign} of another master control" if foreign else ""
+    return (
+        Message("{name} drives order {foreign} of another master control", name=robot.name, foreign=foreign)
+        if foreign
+        else ""
+    )
 
 
 def commanded_elsewhere(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
@@ -76,12 +92,32 @@ def own_mode(state: FleetState, robot: Robot, command: Command) -> Iterator[Prob
     if isinstance(command, PlaceOrder) and robot.vehicle is not None and state.is_fresh(robot, "vehicle"):
         vehicle = robot.vehicle.value
         if not vehicle.takes_orders:
-            yield Problem("mode", f"{robot.name} is in mode {vehicle.mode_text}: it takes no orders")
+            yield Problem(
+                "mode",
+                Message(
+                    "{name} is in mode {mode_text}: it takes no orders",
+                    name=robot.name,
+                    mode_text=Message(vehicle.mode_text),
+                ),
+            )
         if vehicle.e_stop:
-            yield Problem("e-stop", f"{robot.name} is stopped: {vehicle.e_stop_text}", blocks=False)
+            yield Problem(
+                "e-stop",
+                Message(
+                    "{name} is stopped: {e_stop_text}",
+                    name=robot.name,
+                    e_stop_text=Message(vehicle.e_stop_text),
+                ),
+                blocks=False,
+            )
         for grave in vehicle.errors:
             if grave.level in HIGH:
-                text = f"{robot.name} reports {grave.level.lower()} {grave.type}"
+                text = Message(
+                    "{name} reports {lower} {type}",
+                    name=robot.name,
+                    lower=grave.level.lower(),
+                    type=grave.type,
+                )
                 yield Problem("fault", text, blocks=False)
 
 
@@ -95,7 +131,9 @@ def foreign_pause(state: FleetState, robot: Robot, command: Command) -> Iterator
     """Check that a pause that is lifted is our own: another one may be a person at the vehicle."""
     is_resumed = isinstance(command, ResumeRobot) and robot.vehicle is not None
     if is_resumed and state.is_paused(robot) and not robot.paused_by_us:
-        text = f"{robot.name} was not paused by this console: maybe by a person at the vehicle"
+        text = Message(
+            "{name} was not paused by this console: maybe by a person at the vehicle", name=robot.name
+        )
         yield Problem("paused elsewhere", text, blocks=False)
 
 
@@ -104,7 +142,9 @@ def no_heading(_state: FleetState, robot: Robot, command: Command) -> Iterator[P
     if robot.features is None or not robot.features.refuses_headings or not isinstance(command, PlaceOrder):
         return
     if any(stop.pose is not None and not stop.turns_freely for stop in command.stops):
-        text = f"{robot.name} takes no heading by its factsheet: it turns at the goal as it likes"
+        text = Message(
+            "{name} takes no heading by its factsheet: it turns at the goal as it likes", name=robot.name
+        )
         yield Problem("no heading", text, blocks=False)
 
 

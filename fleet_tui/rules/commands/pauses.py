@@ -8,6 +8,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.goals import active, own_ids
 from fleet_tui.rules.commands.local_queue import orders_of, waiting
 from fleet_tui.situation.motion import STANDS_AFTER, moves_despite_pause, stands_since
+from fleet_tui.text.language import Message
 
 WAITS = frozenset({Stage.ACCEPTED, Stage.NO_ANSWER, Stage.UNKNOWN})
 """Text of a pause that telemetry decides."""
@@ -102,7 +103,7 @@ def _held(state: FleetState, robot: Robot, record: CommandRecord, wanted: bool) 
 
 def foreign_stopped(what: str) -> str:
     """Return the detail of a pause that ended what another client had asked for."""
-    return f"stopped, also another client's {what}, not resumable from here"
+    return Message("stopped, also another client's {what}, not resumable from here", what=Message(what))
 
 
 FOREIGN = foreign_stopped("|").partition("|")[0]
@@ -125,7 +126,10 @@ def instead_of_pause(state: FleetState, robot: Robot, record: CommandRecord) -> 
     if robot.kind.holds and not state.is_online(robot):
         return HALF_DEAD if state.links[robot.link].is_half_dead else "the robot is offline"
     if robot.kind.holds:
-        going = [f"order {order.id} is {order.state_text}" for order in robot.orders.open]
+        going = [
+            Message("order {id} is {state_text}", id=order.id, state_text=Message(order.state_text))
+            for order in robot.orders.open
+        ]
         is_moving = wanted and record.before.moving and not stopped(state, robot, record)
         return ", ".join(going[:3]) or (
             "the robot was not seen to stop" if is_moving else "no evidence in telemetry"

@@ -8,6 +8,7 @@ from fleet_tui.model.commands import CommandRecord, Stage, Step
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.local_queue import turn_of, waiting
+from fleet_tui.text.language import Message
 
 Move = tuple[str, str]
 """The name of a move, and the id of the order before which it puts one, empty for the end."""
@@ -43,7 +44,7 @@ def moved(state: FleetState, robot: Robot, order_id: str, before: str, at: float
     # The same turns in another sequence: nothing else changes its place.
     for id_, turn in zip(ids, map(turn_of, found.values()), strict=True):
         if id_ == order_id:
-            where = f"moved before order {before}" if before else "moved to the end"
+            where = Message("moved before order {before}", before=before) if before else "moved to the end"
             yield replace(found[id_].advanced(Step(Stage.WAITING, at, where)), turn=turn)
         elif turn_of(found[id_]) != turn:
             yield replace(found[id_], turn=turn)

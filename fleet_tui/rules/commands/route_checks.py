@@ -13,6 +13,7 @@ from fleet_tui.model.order import vertices_of
 from fleet_tui.model.problem import Problem
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import SetUpCommand
+from fleet_tui.text.language import Message
 
 
 def _name(robot: Robot, vertex: str) -> str:
@@ -46,14 +47,28 @@ def unknown_vertex(state: FleetState, robot: Robot, command: commands.Command) -
         if robot.name_of(vertex) is not None:
             continue
         if missing and "graph" not in robot.kind.reports:
-            text = f"{robot.name} has no vertex {vertex}: no graph of {', '.join(missing)}"
+            text = Message(
+                "{name} has no vertex {vertex}: no graph of {missing}",
+                name=robot.name,
+                vertex=vertex,
+                missing=", ".join(missing),
+            )
             yield Problem("unknown vertex", text)
         elif missing:
-            waits = f"vertex {vertex} unknown: no graph of {', '.join(missing)} received yet"
+            waits = Message(
+                "vertex {vertex} unknown: no graph of {missing} received yet",
+                vertex=vertex,
+                missing=", ".join(missing),
+            )
             yield Problem("unknown vertex", f"{robot.name}: {waits}", blocks=False)
         else:
             known = [id_ for graph in _graphs(robot).values() for id_ in graph.vertices]
-            text = f"{robot.name} has no vertex {vertex}{did_you_mean(vertex, known)}"
+            text = Message(
+                "{name} has no vertex {vertex}{did_you_mean}",
+                name=robot.name,
+                vertex=vertex,
+                did_you_mean=Message(did_you_mean(vertex, known)),
+            )
             yield Problem("unknown vertex", text)
 
 
@@ -61,7 +76,9 @@ def same_place(state: FleetState, robot: Robot, command: commands.Command) -> It
     """Check that start and end differ."""
     for start, end in _legs(command):
         if start == end:
-            yield Problem("same place", f"From and To are the same place: {_name(robot, end)}")
+            yield Problem(
+                "same place", Message("From and To are the same place: {name}", name=_name(robot, end))
+            )
 
 
 def _graphs(robot: Robot) -> Mapping[str, RouteGraph]:
@@ -99,8 +116,8 @@ def no_path(state: FleetState, robot: Robot, command: commands.Command) -> Itera
         starts, ends = _floors(robot, start), _floors(robot, end)
         unknown = not starts or not ends or (not starts & ends and _lack_lifts(robot, starts | ends))
         if not unknown and not _are_joined(_graphs(robot), start, end):
-            names = f"{_name(robot, start)} to {_name(robot, end)}"
-            yield Problem("no path", f"no path for {robot.name} from {names}")
+            names = Message("{name} to {name2}", name=_name(robot, start), name2=_name(robot, end))
+            yield Problem("no path", Message("no path for {name} from {names}", name=robot.name, names=names))
 
 
 def no_way_there(state: FleetState, robot: Robot, command: commands.Command) -> Iterator[Problem]:
@@ -115,7 +132,9 @@ def no_way_there(state: FleetState, robot: Robot, command: commands.Command) -> 
         floors = _floors(robot, vertex)
         unknown = not floors or (floor not in floors and _lack_lifts(robot, {floor, *floors}))
         if not unknown and not _are_joined(graphs, near.id, vertex):
-            text = f"no path for {robot.name} from its position to {_name(robot, vertex)}"
+            text = Message(
+                "no path for {name} from its position to {name2}", name=robot.name, name2=_name(robot, vertex)
+            )
             yield Problem("no path", text, blocks=False)
 
 
@@ -127,11 +146,17 @@ def floor_mismatch(state: FleetState, robot: Robot, command: commands.Command) -
     for (one, here), (other, there) in pairwise(stops):
         if not here or not there or here & there:
             continue
-        where = f"{one} is on {min(here)}, {other} on {min(there)}"
+        where = Message(
+            "{one} is on {here}, {other} on {there}", one=one, here=min(here), other=other, there=min(there)
+        )
         if not robot.kind.changes_floors:
-            yield Problem("floor mismatch", f"{where}: an order can't change floors")
+            yield Problem(
+                "floor mismatch", Message("{where}: an order can't change floors", where=Message(where))
+            )
         elif _lack_lifts(robot, here | there):
-            yield Problem("floor mismatch", f"{where}, no elevator known", blocks=False)
+            yield Problem(
+                "floor mismatch", Message("{where}, no elevator known", where=Message(where)), blocks=False
+            )
 
 
 def mistakable(robot: Robot, floors: Iterable[tuple[str, str]]) -> Iterator[Problem]:
@@ -141,13 +166,26 @@ def mistakable(robot: Robot, floors: Iterable[tuple[str, str]]) -> Iterator[Prob
         others = sorted(_floors(robot, vertex) - {floor})
         if floor not in robot.maps or floor == robot.floor or not others:
             continue
-        meant = f"{_name_on(robot, vertex, floor)} on {floor}"
+        meant = Message("{name_on} on {floor}", name_on=_name_on(robot, vertex, floor), floor=floor)
         if robot.floor is not None and robot.floor in others:
-            taken = f"{_name_on(robot, vertex, robot.floor)} on {robot.floor}"
-            text = f"{meant} can't be named: {robot.name} takes its id {vertex} as {taken}, where it is"
+            taken = Message(
+                "{name_on} on {floor}", name_on=_name_on(robot, vertex, robot.floor), floor=robot.floor
+            )
+            text = Message(
+                "{meant} can't be named: {name} takes its id {vertex} as {taken}, where it is",
+                meant=meant,
+                name=robot.name,
+                vertex=vertex,
+                taken=taken,
+            )
             yield Problem("floor mismatch", text)
         else:
-            text = f"{meant} has the id {vertex}, which {others[0]} has too: the robot decides which is meant"
+            text = Message(
+                "{meant} has the id {vertex}, which {others} has too: the robot decides which is meant",
+                meant=meant,
+                vertex=vertex,
+                others=Message(others[0]),
+            )
             yield Problem("floor mismatch", text, blocks=False)
 
 

@@ -12,6 +12,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import CancelGoal
 from fleet_tui.rules.commands.goals import active
 from fleet_tui.rules.commands.local_queue import all_orders, clearable
+from fleet_tui.text.language import Message
 
 
 class Subject(Struct, frozen=True):
@@ -67,14 +68,14 @@ def _changes(state: FleetState, now: Subject, asked: Subject) -> Iterator[str]:
         before = {order.id: order for order in orders}
         for order in now.orders.get(name, ()):
             if order.id not in before:
-                yield f"{name} has a further order, {order.id}"
+                yield Message("{name} has a further order, {id}", name=name, id=order.id)
             elif order.id in gone or order.stops != before[order.id].stops:
-                yield f"order {order.id} of {name} is another one now"
+                yield Message("order {id} of {name} is another one now", id=order.id, name=name)
     for (name, vertex), place in asked.places.items():
         if now.places.get((name, vertex)) != place:
-            yield f"vertex {vertex} of {name} is another place now"
+            yield Message("vertex {vertex} of {name} is another place now", vertex=vertex, name=name)
     for name, goals in asked.goals.items():
         if not set(now.goals.get(name, ())) <= set(goals):
-            yield f"{name} has another goal now"
+            yield Message("{name} has another goal now", name=name)
     for name in sorted(asked.paused - now.paused):
-        yield f"{name} is not paused any more"
+        yield Message("{name} is not paused any more", name=name)

@@ -5,6 +5,7 @@ from fleet_tui.model.kind import DRIVE
 from fleet_tui.model.link import Phase
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.set_up.checks import busy
+from fleet_tui.text.language import Message
 
 POSE_WITHIN = 1.0
 """Seconds that a pose may be old."""
@@ -17,7 +18,11 @@ def drive_refusal(state: FleetState, robot: Robot) -> str:
         return robot.kind.lack(DRIVE)
     link = state.links[robot.link]
     if link.phase is not Phase.UP:
-        return f"no link to {robot.name}: wait for it"
+        return Message("no link to {name}: wait for it", name=robot.name)
     if robot.pose is None or state.now - robot.pose.at > POSE_WITHIN + state.behind:
-        return f"no pose of {robot.name} within {POSE_WITHIN:g} s: it can't be seen driving"
+        return Message(
+            "no pose of {name} within {POSE_WITHIN} s: it can't be seen driving",
+            name=robot.name,
+            POSE_WITHIN=f"{POSE_WITHIN:g}",
+        )
     return next((problem.text for problem in busy(state, robot)), "")

@@ -3,6 +3,7 @@
 from fleet_tui.model.set_up.driving import STILL, DrivePhase, DriveState, Speeds, Steering
 from fleet_tui.rules.driving.echoes import Echoes
 from fleet_tui.rules.driving.speed import Caps, next_speeds
+from fleet_tui.text.language import Message
 
 PERIOD = 0.1
 """Seconds between two frames while the robot moves, and between two calls of `tick`."""
@@ -66,7 +67,13 @@ class DriveSession:
         """Send what is due."""
         if self.state.phase is DrivePhase.STARTING:
             if at - self._began > ECHO_WITHIN:
-                return self.end(f"no echo from {self._topic} within {ECHO_WITHIN:g} s")
+                return self.end(
+                    Message(
+                        "no echo from {topic} within {ECHO_WITHIN} s",
+                        topic=self._topic,
+                        ECHO_WITHIN=f"{ECHO_WITHIN:g}",
+                    )
+                )
             return self._send(STILL, at) if at - self._sent_at >= AGAIN else []
         return self._step(at, is_clear) if self._moves or self._waits else []
 
@@ -94,7 +101,7 @@ class DriveSession:
 
     def _step(self, at: float, is_clear: bool) -> Frames:
         if self.state.sent != STILL and (late := self._echoes.late(at)) > LATEST:
-            return self.end(f"lag: no echo for {late:.1f} s")
+            return self.end(Message("lag: no echo for {late} s", late=f"{late:.1f}"))
         target = self._steering.speeds if self._asked(at) else STILL
         seconds = min(at - self._sent_at, PERIOD) if self._moves else PERIOD
         speeds = next_speeds(self.state.sent, target, seconds, self._caps)

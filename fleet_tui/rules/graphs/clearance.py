@@ -11,6 +11,7 @@ from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.occupancy import FREE, UNKNOWN
 from fleet_tui.rules.graphs.elements import named
 from fleet_tui.rules.graphs.finding import GraphFinding
+from fleet_tui.text.language import Message
 
 MARGIN = 0.1
 """Metres beyond half the robot's width that a vertex is kept free."""
@@ -113,9 +114,13 @@ def _at_vertices(floor: DocumentFloor, obstacles: _Obstacles, width: float) -> I
     for n in np.flatnonzero(unknown | near):
         id_ = vertices[n].id
         if unknown[n]:
-            text = f"vertex {named(vertices[n])}: on unknown ground"
+            text = Message("vertex {named}: on unknown ground", named=named(vertices[n]))
         else:
-            text = f"vertex {named(vertices[n])}: nearer to an obstacle than {width / 2 + MARGIN:.2f} m"
+            text = Message(
+                "vertex {named}: nearer to an obstacle than {width} m",
+                named=named(vertices[n]),
+                width=f"{width / 2 + MARGIN:.2f}",
+            )
         yield GraphFinding("clearance", text, False, "", (id_,))
 
 
@@ -133,7 +138,13 @@ def _along_edges(floor: DocumentFloor, obstacles: _Obstacles, width: float) -> I
     for part in range(0, len(edges), 500):  # bounds the memory
         for n in _meeting(blocked, ends[part : part + 500]):
             edge = edges[part + n]
-            text = f"edge {edge.id} from {edge.start} to {edge.end}: no room for a robot {width:g} m wide"
+            text = Message(
+                "edge {id} from {start} to {end}: no room for a robot {width} m wide",
+                id=edge.id,
+                start=edge.start,
+                end=edge.end,
+                width=f"{width:g}",
+            )
             yield GraphFinding("no room", text, False, "", (), (edge.id,))
 
 

@@ -8,6 +8,7 @@ from msgspec import Struct
 from fleet_tui.model.graphs.document import DocumentEdge, DocumentFloor
 from fleet_tui.model.order import natural
 from fleet_tui.rules.graphs.elements import named
+from fleet_tui.text.language import Message
 from fleet_tui.text.sanitize import sanitize
 
 MOVED = 0.01
@@ -44,9 +45,18 @@ def _of_vertex(before: DocumentFloor, after: DocumentFloor, id_: str) -> list[Gr
     metres = math.dist((old.x, old.y), (new.x, new.y))
     both_nowhere = not math.isfinite(metres) and str((old.x, old.y)) == str((new.x, new.y))
     if not metres <= MOVED and not both_nowhere:
-        found.append(GraphChange("moved", f"vertex {named(new)}: {metres:.2f} m", id_))
+        found.append(
+            GraphChange(
+                "moved", Message("vertex {named}: {metres} m", named=named(new), metres=f"{metres:.2f}"), id_
+            )
+        )
     if old.label != new.label:
-        text = f"vertex {id_}: {_quoted(old.label)} -> {_quoted(new.label)}"
+        text: str = Message(
+            "vertex {id}: {quoted} -> {quoted2}",
+            id=id_,
+            quoted=_quoted(old.label),
+            quoted2=_quoted(new.label),
+        )
         found.append(GraphChange("relabelled", text, id_))
     if old.type != new.type:
         text = f"vertex {named(new)}: {old.type or 'plain'} -> {new.type or 'plain'}"
@@ -69,10 +79,30 @@ def _ways(edges: Mapping[str, DocumentEdge]) -> dict[str, _Way]:
 def _of_edge(old: _Way | None, new: _Way | None, id_: str) -> list[GraphChange]:
     if old is None or new is None:
         kind, way = ("removed", old) if new is None else ("added", new)
-        return [GraphChange(kind, f"edge {id_} {_way_text(way)}", "", id_)] if way else []
+        return (
+            [
+                GraphChange(
+                    kind, Message("edge {id} {way_text}", id=id_, way_text=Message(_way_text(way))), "", id_
+                )
+            ]
+            if way
+            else []
+        )
     if _unordered(old) == _unordered(new):
         return []
-    return [GraphChange("rewired", f"edge {id_}: {_way_text(old)} -> {_way_text(new)}", "", id_)]
+    return [
+        GraphChange(
+            "rewired",
+            Message(
+                "edge {id}: {way_text} -> {way_text2}",
+                id=id_,
+                way_text=Message(_way_text(old)),
+                way_text2=Message(_way_text(new)),
+            ),
+            "",
+            id_,
+        )
+    ]
 
 
 def _unordered(way: _Way) -> tuple[object, bool]:

@@ -7,39 +7,40 @@ from msgspec.structs import replace
 from fleet_tui.model.graphs.document import DocumentEdge, DocumentFloor, DocumentVertex
 from fleet_tui.model.graphs.draft import Change
 from fleet_tui.model.order import natural
+from fleet_tui.text.language import Message
 
 GRIDS = (0.01, 0.05, 0.1, 0.25, 0.5, 1.0)
 """Metres of the grids that coordinates are rounded to."""
 
 
 def added(vertex: DocumentVertex) -> Change:
-    return Change(f"add vertex {vertex.id}", ((None, vertex),))
+    return Change(Message("add vertex {id}", id=vertex.id), ((None, vertex),))
 
 
 def renewed(before: DocumentVertex, after: DocumentVertex) -> Change:
     """Change a vertex: its place, label, type or heading."""
-    return Change(f"change vertex {before.id}", ((before, after),))
+    return Change(Message("change vertex {id}", id=before.id), ((before, after),))
 
 
 def removed(floor: DocumentFloor, id_: str) -> Change:
     """Remove a vertex with its edges."""
     edges = tuple((edge, None) for edge in floor.edges.values() if id_ in (edge.start, edge.end))
-    return Change(f"remove vertex {id_}", ((floor.vertices[id_], None),), edges)
+    return Change(Message("remove vertex {id}", id=id_), ((floor.vertices[id_], None),), edges)
 
 
 def edge_removed(edge: DocumentEdge) -> Change:
-    return Change(f"remove edge {edge.id}", edges=((edge, None),))
+    return Change(Message("remove edge {id}", id=edge.id), edges=((edge, None),))
 
 
 def edge_renewed(before: DocumentEdge, after: DocumentEdge, what: str) -> Change:
     """Change a value of an edge; `what` says which."""
-    return Change(f"edge {before.id}: {what}", edges=((before, after),))
+    return Change(Message("edge {id}: {what}", id=before.id, what=Message(what)), edges=((before, after),))
 
 
 def connected(id_: str, reverse_id: str, start: str, end: str) -> Change:
     """Add an edge, drivable both ways, with an id for each."""
     edge = DocumentEdge(id_, start, end, reverse_id=reverse_id)
-    return Change(f"add edge {start} - {end}", edges=((None, edge),))
+    return Change(Message("add edge {start} - {end}", start=start, end=end), edges=((None, edge),))
 
 
 def joined(one: Change, other: Change) -> Change:

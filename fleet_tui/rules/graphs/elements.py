@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator
 from fleet_tui.model.graph import Role
 from fleet_tui.model.graphs.document import DocumentFloor, DocumentVertex, GraphFormat
 from fleet_tui.rules.graphs.finding import GraphFinding, LintInputs
+from fleet_tui.text.language import Message
 from fleet_tui.text.sanitize import cell_width, sanitize
 
 INT32 = range(-(2**31), 2**31)
@@ -43,10 +44,10 @@ def duplicate_ids(floor: DocumentFloor, inputs: LintInputs) -> Iterator[GraphFin
     """Report ids that the file had several times, each once."""
     vertices = {repeated: one.id for one in floor.vertices.values() for repeated in one.repeats}
     for repeated, id_ in vertices.items():
-        yield _error("duplicate id", f"vertex {repeated}: duplicate id", id_)
+        yield _error("duplicate id", Message("vertex {repeated}: duplicate id", repeated=repeated), id_)
     edges = {repeated: one.id for one in floor.edges.values() for repeated in one.repeats}
     for repeated, id_ in edges.items():
-        yield _error("duplicate id", f"edge {repeated}: duplicate id", "", id_)
+        yield _error("duplicate id", Message("edge {repeated}: duplicate id", repeated=repeated), "", id_)
 
 
 def _is_too_large(id_: str) -> bool:
@@ -57,9 +58,9 @@ def _is_too_large(id_: str) -> bool:
 def large_ids(floor: DocumentFloor, inputs: LintInputs) -> Iterator[GraphFinding]:
     """Report ids that no message can carry."""
     for id_ in filter(_is_too_large, floor.vertices):
-        yield _error("id range", f"vertex {id_}: id outside int32", id_)
+        yield _error("id range", Message("vertex {id}: id outside int32", id=id_), id_)
     for id_ in filter(_is_too_large, floor.edges):
-        yield _error("id range", f"edge {id_}: id outside int32", "", id_)
+        yield _error("id range", Message("edge {id}: id outside int32", id=id_), "", id_)
 
 
 def ends(floor: DocumentFloor, inputs: LintInputs) -> Iterator[GraphFinding]:
@@ -67,19 +68,36 @@ def ends(floor: DocumentFloor, inputs: LintInputs) -> Iterator[GraphFinding]:
     for id_, edge in floor.edges.items():
         lost = [end for end in (edge.start, edge.end) if end not in floor.vertices]
         if lost:
-            yield _error("unknown vertex", f"edge {id_}: unknown vertex {lost[0]}", "", id_)
+            yield _error(
+                "unknown vertex", Message("edge {id}: unknown vertex {lost}", id=id_, lost=lost[0]), "", id_
+            )
         elif edge.start == edge.end:
-            yield _error("loop", f"edge {id_}: leads from {edge.start} to itself", edge.start, id_)
+            yield _error(
+                "loop",
+                Message("edge {id}: leads from {start} to itself", id=id_, start=edge.start),
+                edge.start,
+                id_,
+            )
 
 
 def places(floor: DocumentFloor, inputs: LintInputs) -> Iterator[GraphFinding]:
     """Report vertices at no place, or off the map."""
     for id_, vertex in floor.vertices.items():
         if not (abs(vertex.x) <= FARTHEST and abs(vertex.y) <= FARTHEST):
-            text = f"vertex {named(vertex)}: ({vertex.x:g}, {vertex.y:g}) m is no place on a floor"
+            text = Message(
+                "vertex {named}: ({x}, {y}) m is no place on a floor",
+                named=named(vertex),
+                x=f"{vertex.x:g}",
+                y=f"{vertex.y:g}",
+            )
             yield _error("place", text, id_)
         elif inputs.grid is not None and not _is_on(inputs, vertex):
-            text = f"vertex {named(vertex)}: ({vertex.x:.2f}, {vertex.y:.2f}) m is off the map"
+            text = Message(
+                "vertex {named}: ({x}, {y}) m is off the map",
+                named=named(vertex),
+                x=f"{vertex.x:.2f}",
+                y=f"{vertex.y:.2f}",
+            )
             yield _error("place", text, id_)
 
 
@@ -87,7 +105,15 @@ def values(floor: DocumentFloor, inputs: LintInputs) -> Iterator[GraphFinding]:
     """Report numbers that can't be: negative speeds, costs and lengths, and those that are not finite."""
     for id_, vertex in floor.vertices.items():
         if vertex.heading is not None and not math.isfinite(vertex.heading):
-            yield _error("value", f"vertex {named(vertex)}: heading {vertex.heading:g} is no angle", id_)
+            yield _error(
+                "value",
+                Message(
+                    "vertex {named}: heading {heading} is no angle",
+                    named=named(vertex),
+                    heading=f"{vertex.heading:g}",
+                ),
+                id_,
+            )
     for id_, edge in floor.edges.items():
         numbers = {
             "speed": edge.speed,
@@ -97,7 +123,17 @@ def values(floor: DocumentFloor, inputs: LintInputs) -> Iterator[GraphFinding]:
         }
         for name, value in numbers.items():
             if value is not None and not 0.0 <= value < math.inf:
-                yield _error("value", f"edge {id_}: {name} {value:g} must be a number from 0 on", "", id_)
+                yield _error(
+                    "value",
+                    Message(
+                        "edge {id}: {name} {value} must be a number from 0 on",
+                        id=id_,
+                        name=name,
+                        value=f"{value:g}",
+                    ),
+                    "",
+                    id_,
+                )
 
 
 def _is_on(inputs: LintInputs, vertex: DocumentVertex) -> bool:
@@ -117,31 +153,59 @@ def labels(floor: DocumentFloor, inputs: LintInputs) -> Iterator[GraphFinding]:
     taken = dict[str, str]()
     for id_, label in floor.labels.items():
         if not folded(label):
-            yield _error("label", f"vertex {id_}: label of blanks only", id_)
+            yield _error("label", Message("vertex {id}: label of blanks only", id=id_), id_)
             continue
         if sanitize(label) != label:
-            text = f"vertex {id_}: control characters in label {sanitize(label)!r}"
+            text = Message(
+                "vertex {id}: control characters in label {label}", id=id_, label=f"{sanitize(label)!r}"
+            )
             yield _error("label", text, id_)
         other = taken.setdefault(folded(label), id_)
         if other != id_:
             yield GraphFinding(
-                "label", f"vertex {id_}: label {label!r} is taken by vertex {other}", True, "", (id_, other)
+                "label",
+                Message(
+                    "vertex {id}: label {label} is taken by vertex {other}",
+                    id=id_,
+                    label=f"{label!r}",
+                    other=other,
+                ),
+                True,
+                "",
+                (id_, other),
             )
         if cell_width(label) > LONGEST_LABEL:
-            text = f"vertex {id_}: label of {cell_width(label)} cells, over {LONGEST_LABEL}"
+            text = Message(
+                "vertex {id}: label of {cell_width} cells, over {LONGEST_LABEL}",
+                id=id_,
+                cell_width=cell_width(label),
+                LONGEST_LABEL=LONGEST_LABEL,
+            )
             yield _warning("long label", text, id_)
 
 
 def types(floor: DocumentFloor, inputs: LintInputs) -> Iterator[GraphFinding]:
     """Report types that the profile does not know, and the id that a missing argument would mean."""
     if "0" in floor.vertices and inputs.target in _WITH_ZERO:
-        yield _warning("id 0", f"vertex {named(floor.vertices['0'])}: {READ_AS_0}", "0")
+        yield _warning(
+            "id 0",
+            Message(
+                "vertex {named}: {READ_AS_0}", named=named(floor.vertices["0"]), READ_AS_0=Message(READ_AS_0)
+            ),
+            "0",
+        )
     if inputs.types is None:
         return
     for id_, vertex in floor.vertices.items():
         if vertex.type and vertex.type not in inputs.types:
             yield _warning(
-                "type", f"vertex {named(vertex)}: type {vertex.type!r} unknown to the profile", id_
+                "type",
+                Message(
+                    "vertex {named}: type {type} unknown to the profile",
+                    named=named(vertex),
+                    type=f"{vertex.type!r}",
+                ),
+                id_,
             )
 
 
@@ -152,7 +216,7 @@ def elevators(floor: DocumentFloor, inputs: LintInputs) -> Iterator[GraphFinding
     partners = {folded(label) for label in inputs.elsewhere}
     for id_, vertex in floor.vertices.items():
         if inputs.roles(vertex.type) is Role.ELEVATOR and folded(vertex.label) not in partners:
-            text = f"vertex {named(vertex)}: elevator without a partner on another floor"
+            text = Message("vertex {named}: elevator without a partner on another floor", named=named(vertex))
             yield _warning("elevator", text, id_)
 
 
@@ -164,11 +228,22 @@ def orders(floor: DocumentFloor, inputs: LintInputs) -> Iterator[GraphFinding]:
             continue
         now, before = floor.vertices.get(id_), live[id_]
         if now is None:
-            yield _error("order", f"vertex {id_} is removed, but {order} names it", id_)
+            yield _error(
+                "order", Message("vertex {id} is removed, but {order} names it", id=id_, order=order), id_
+            )
             continue
         metres = math.dist((now.x, now.y), (before.x, before.y))
         if not metres <= MOVED:
-            yield _error("order", f"vertex {named(now)} is moved {metres:.2f} m, but {order} names it", id_)
+            yield _error(
+                "order",
+                Message(
+                    "vertex {named} is moved {metres} m, but {order} names it",
+                    named=named(now),
+                    metres=f"{metres:.2f}",
+                    order=order,
+                ),
+                id_,
+            )
 
 
 ELEMENT_RULES: tuple[ElementRule, ...] = (

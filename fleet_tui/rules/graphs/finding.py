@@ -8,6 +8,7 @@ from fleet_tui.model.graph import Role, RouteGraph
 from fleet_tui.model.graphs.document import GraphFormat
 from fleet_tui.model.graphs.live import role_of
 from fleet_tui.model.grid import OccupancyGrid
+from fleet_tui.text.language import Message
 
 MOST = 200
 """Maximum findings of one rule on one floor; the last one has the number of the others."""
@@ -44,5 +45,7 @@ def limited(findings: list[GraphFinding]) -> list[GraphFinding]:
     """Return the findings of one rule, at most a screenful or two of them."""
     if len(findings) <= MOST:
         return findings
-    more = GraphFinding(findings[0].rule, f"and {len(findings) - MOST} more", findings[0].is_error)
+    more = GraphFinding(
+        findings[0].rule, Message("and {findings} more", findings=len(findings) - MOST), findings[0].is_error
+    )
     return [*findings[:MOST], more]

@@ -12,6 +12,7 @@ from fleet_tui.rules.graphs.finding import GraphFinding, LintInputs, limited
 from fleet_tui.rules.graphs.neighbours import neighbours
 from fleet_tui.rules.graphs.reach import reach
 from fleet_tui.rules.graphs.targets import of_target
+from fleet_tui.text.language import Message
 
 
 def lint(document: GraphDocument, inputs: LintInputs) -> tuple[GraphFinding, ...]:
@@ -34,9 +35,24 @@ def _lost_stops(document: GraphDocument) -> Iterator[GraphFinding]:
     stops += [("station", one.name, stop) for one in document.stations for stop in one.stops]
     for kind, name, (floor, id_) in stops:
         if floor not in document.floors:
-            yield GraphFinding("stop", f"{kind} {name}: stops on unknown floor {floor}", True)
+            yield GraphFinding(
+                "stop",
+                Message(
+                    "{kind} {name}: stops on unknown floor {floor}",
+                    kind=Message(kind),
+                    name=name,
+                    floor=floor,
+                ),
+                True,
+            )
         elif id_ not in document.floors[floor].vertices:
-            text = f"{kind} {name}: stops at unknown vertex {id_} on {floor}"
+            text = Message(
+                "{kind} {name}: stops at unknown vertex {id} on {floor}",
+                kind=Message(kind),
+                name=name,
+                id=id_,
+                floor=floor,
+            )
             yield GraphFinding("stop", text, True, floor)
 
 
@@ -80,7 +96,11 @@ def _unreachable(floor: DocumentFloor, inputs: LintInputs) -> list[GraphFinding]
     return [
         GraphFinding(
             "reach",
-            f"vertex {named(floor.vertices[id_])}: {_reason(id_, found.traps)}",
+            Message(
+                "vertex {named}: {reason}",
+                named=named(floor.vertices[id_]),
+                reason=Message(_reason(id_, found.traps)),
+            ),
             False,
             "",
             (id_,),

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from fleet_tui.model.graphs.document import DocumentFloor
 from fleet_tui.rules.graphs.finding import MOST, GraphFinding
+from fleet_tui.text.language import Message
 
 CLOSE = 0.1
 """Metres between a vertex and another one, or an edge that does not end there."""
@@ -73,7 +74,12 @@ def _close(shape: _Shape) -> Iterator[GraphFinding]:
         for a, b in zip(order[one[near]], order[other[near]], strict=True):
             ids = shape.ids[a], shape.ids[b]
             metres = float(np.hypot(*(shape.places[a] - shape.places[b])))
-            text = f"vertices {ids[0]} and {ids[1]} are {metres:.2f} m apart"
+            text = Message(
+                "vertices {ids} and {ids2} are {metres} m apart",
+                ids=ids[0],
+                ids2=ids[1],
+                metres=f"{metres:.2f}",
+            )
             yield GraphFinding("close vertices", text, False, "", ids)
             found += 1
             if found > 2 * MOST:
@@ -98,7 +104,12 @@ def _passing(shape: _Shape) -> Iterator[GraphFinding]:
         for n, vertex, metres in zip(
             *(part[apart < CLOSE] for part in (edge, order[at], apart)), strict=True
         ):
-            text = f"edge {shape.edges[n]} passes vertex {shape.ids[vertex]} at {metres:.2f} m"
+            text = Message(
+                "edge {edges} passes vertex {ids} at {metres} m",
+                edges=shape.edges[n],
+                ids=shape.ids[vertex],
+                metres=f"{metres:.2f}",
+            )
             yield GraphFinding("passed vertex", text, False, "", (shape.ids[vertex],), (shape.edges[n],))
             found += 1
             if found > 2 * MOST:
@@ -128,7 +139,7 @@ def _crossing(shape: _Shape) -> Iterator[GraphFinding]:
         crossed = _cross(starts[one], stops[one], starts[other], stops[other])
         for a, b in zip(order[one[crossed]], order[other[crossed]], strict=True):
             ids = shape.edges[a], shape.edges[b]
-            text = f"edges {ids[0]} and {ids[1]} cross without a vertex"
+            text = Message("edges {ids} and {ids2} cross without a vertex", ids=ids[0], ids2=ids[1])
             yield GraphFinding("crossing", text, False, "", (), ids)
             found += 1
             if found > 2 * MOST:
@@ -155,6 +166,12 @@ def doubled(floor: DocumentFloor) -> Iterator[GraphFinding]:
         both = [(edge.start, edge.end), (edge.end, edge.start)][: 1 + edge.two_way]
         other = next((ways[way] for way in both if way in ways), None)
         if other is not None:
-            text = f"edge {id_} doubles edge {other} from {edge.start} to {edge.end}"
+            text = Message(
+                "edge {id} doubles edge {other} from {start} to {end}",
+                id=id_,
+                other=other,
+                start=edge.start,
+                end=edge.end,
+            )
             yield GraphFinding("doubled edge", text, False, "", (), (id_, other))
         ways.update(dict.fromkeys(both, id_))

@@ -7,6 +7,7 @@ from itertools import combinations, pairwise
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.graphs.document import DocumentFloor, GraphDocument, GraphFormat, Lift
 from fleet_tui.rules.graphs.finding import GraphFinding, LintInputs
+from fleet_tui.text.language import Message
 
 LIFT_STOPS = 0.1
 """Metres by which the stops of a lift may be apart in the site's frame."""
@@ -32,7 +33,12 @@ def _labels_of_site(document: GraphDocument) -> Iterator[GraphFinding]:
         for id_, label in floor.labels.items():
             other = taken.setdefault(label, (floor.name, id_))
             if other[0] != floor.name:
-                text = f"vertex {id_}: label {label!r} is taken on {other[0]}; RMF has one for a site"
+                text = Message(
+                    "vertex {id}: label {label} is taken on {other}; RMF has one for a site",
+                    id=id_,
+                    label=f"{label!r}",
+                    other=other[0],
+                )
                 yield GraphFinding("site label", text, True, floor.name, (id_,))
 
 
@@ -42,11 +48,17 @@ def _lifts(document: GraphDocument) -> Iterator[GraphFinding]:
         for one, other in pairwise(places):
             metres = math.dist(one[2], other[2])
             if metres > LIFT_STOPS:
-                text = f"lift {lift.name}: its stops on {one[0]} and {other[0]} are {metres:.2f} m apart"
+                text = Message(
+                    "lift {name}: its stops on {one} and {other} are {metres} m apart",
+                    name=lift.name,
+                    one=one[0],
+                    other=other[0],
+                    metres=f"{metres:.2f}",
+                )
                 yield GraphFinding("lift stops", text, True, other[0], (other[1],))
         for one, other in combinations(places, 2):
             if one[0] == other[0]:
-                text = f"lift {lift.name}: two stops on {one[0]}"
+                text = Message("lift {name}: two stops on {one}", name=lift.name, one=one[0])
                 yield GraphFinding("lift stops", text, True, one[0], (one[1], other[1]))
 
 
@@ -63,11 +75,18 @@ def _stops(document: GraphDocument, lift: Lift) -> Iterator[tuple[str, str, tupl
 def _nav2(floor: DocumentFloor) -> Iterator[GraphFinding]:
     if not floor.vertices or not floor.edges:
         what = "edge" if floor.vertices else "vertex"
-        yield GraphFinding("empty", f"no {what}: Nav2 loads no such graph", True, floor.name)
+        yield GraphFinding(
+            "empty", Message("no {what}: Nav2 loads no such graph", what=Message(what)), True, floor.name
+        )
     for kind, ids in (("vertex", floor.vertices), ("edge", floor.edges)):
         for id_ in ids:
             if id_.isascii() and id_.isdecimal() and (len(id_) > 9 or int(id_) > UINT16):
-                text = f"{kind} {id_}: id over {UINT16}, which Nav2's messages can't name"
+                text = Message(
+                    "{kind} {id}: id over {UINT16}, which Nav2's messages can't name",
+                    kind=Message(kind),
+                    id=id_,
+                    UINT16=UINT16,
+                )
                 of_vertex, of_edge = ((id_,), ()) if kind == "vertex" else ((), (id_,))
                 yield GraphFinding("nav2 id", text, True, floor.name, of_vertex, of_edge)
 
@@ -77,5 +96,9 @@ def _vehicles(floor: DocumentFloor) -> Iterator[GraphFinding]:
     bare = tuple(id_ for id_, vertex in floor.vertices.items() if not vertex.extra.get(own, {}).get(key))
     edges = tuple(id_ for id_, edge in floor.edges.items() if not edge.per_vehicle)
     if bare or edges:
-        text = f"no vehicle type at {len(bare)} vertices and {len(edges)} edges: nothing may use them"
+        text = Message(
+            "no vehicle type at {bare} vertices and {edges} edges: nothing may use them",
+            bare=len(bare),
+            edges=len(edges),
+        )
         yield GraphFinding("vehicle type", text, True, floor.name, bare[:10], edges[:10])

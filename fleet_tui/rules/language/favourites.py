@@ -9,6 +9,7 @@ from fleet_tui.model.commands import PlaceOrder, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import vertices_of
 from fleet_tui.rules.language.lookup import Place
+from fleet_tui.text.language import Message
 
 MOST = 3
 """Number of favourites that are offered."""
@@ -58,7 +59,10 @@ def favourites(places: Iterable[Place], given: Sequence[Given]) -> list[Favourit
     # Equally frequent ones stay in their sequence, the newest first.
     often = (ends for ends, times in counted.most_common() if times >= OFTEN and ends != routes[0])
     found = [Favourite(*ends, "last") for ends in routes[:1]]
-    return [*found, *(Favourite(*ends, f"{counted[ends]} times") for ends in often)][:MOST]
+    return [
+        *found,
+        *(Favourite(*ends, Message("{counted} times", counted=counted[ends])) for ends in often),
+    ][:MOST]
 
 
 def _ends(known: Mapping[str, Sequence[Place]], given: Given) -> tuple[Place, Place] | None:

@@ -6,6 +6,7 @@ from itertools import pairwise
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.movement import JUMPS_WITHIN
+from fleet_tui.text.language import Message
 
 JUMP = 0.5
 JUMP_TURN = math.radians(30.0)
@@ -45,4 +46,4 @@ def pose_jump(before: Pose, after: Pose, seconds: float) -> str:
     turn = abs(math.remainder(turns[0] - turns[1], math.tau))
     if metres <= JUMP + FASTEST * elapsed and turn <= min(JUMP_TURN + FASTEST_TURN * elapsed, math.pi):
         return ""
-    return f"{metres:.1f} m and {math.degrees(turn):.0f}°"
+    return Message("{metres} m and {degrees}°", metres=f"{metres:.1f}", degrees=f"{math.degrees(turn):.0f}")

@@ -7,6 +7,7 @@ from fleet_tui.model.geometry import Pose
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.set_up.streams import Points, placed
 from fleet_tui.rules.localisation.distance_field import distance_field
+from fleet_tui.text.language import Message
 from fleet_tui.text.units import percent
 
 NEAR = 0.2
@@ -35,7 +36,12 @@ class Match(Struct, frozen=True):
     @property
     def text(self) -> str:
         """Return the match in words."""
-        return f"{percent(self.share)} of {self.beams} beams fit the map, median {self.median:.2f} m"
+        return Message(
+            "{percent} of {beams} beams fit the map, median {median} m",
+            percent=percent(self.share),
+            beams=self.beams,
+            median=f"{self.median:.2f}",
+        )
 
 
 def match(grid: OccupancyGrid, points: Points, pose: Pose) -> Match | None:

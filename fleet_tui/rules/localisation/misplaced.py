@@ -11,6 +11,7 @@ from fleet_tui.model.grid import FREE, OCCUPIED, OccupancyGrid
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.commands.set_up.mode import mapping_text
 from fleet_tui.rules.localisation.off_route import is_off_route
+from fleet_tui.text.language import Message
 from fleet_tui.text.units import age
 
 SIZE = 1.0, 1.0
@@ -117,11 +118,11 @@ def misplaced_text(state: FleetState, robot: Robot) -> str:
     if state.now - seen.at >= HELD:
         return ""
     if seen.value == OFF_ROUTE:
-        return f"off the route graph {age(state.now - seen.at)} ago"
+        return Message("off the route graph {age} ago", age=age(state.now - seen.at))
     return (
-        f"in a wall {age(state.now - seen.at)} ago"
+        Message("in a wall {age} ago", age=age(state.now - seen.at))
         if seen.value == WALL
-        else f"off map {age(state.now - seen.at)} ago"
+        else Message("off map {age} ago", age=age(state.now - seen.at))
     )
 
 

@@ -13,6 +13,7 @@ from fleet_tui.model.robot import Robot, RobotMap
 from fleet_tui.model.set_up.commands import StartCharging
 from fleet_tui.rules.battery.charging import charger_of, charging_reported
 from fleet_tui.rules.language.lookup import Place
+from fleet_tui.text.language import Message
 
 
 def way_to_charger(state: FleetState, robot: Robot) -> tuple[Place, ...]:
@@ -50,10 +51,12 @@ def _doubt(robot: Robot) -> str:
     if robot.vehicle is None:
         return ""
     if robot.features is None:
-        return f"{robot.name} only drives there: without a factsheet nothing starts its charge"
+        return Message(
+            "{name} only drives there: without a factsheet nothing starts its charge", name=robot.name
+        )
     if robot.features.charges or robot.features.charges_beside:
         return ""
-    return f"{robot.name} only drives there: its factsheet has no startCharging"
+    return Message("{name} only drives there: its factsheet has no startCharging", name=robot.name)
 
 
 def _way(state: FleetState, robot: Robot) -> tuple[Place, Place]:

@@ -17,6 +17,7 @@ from fleet_tui.rules.commands.local_queue import all_orders
 from fleet_tui.rules.routes.order_draft import GraphStop, place_of, stop_at, way_between
 from fleet_tui.rules.routes.ways import AT_VERTEX
 from fleet_tui.rules.why.traffic import stops_left
+from fleet_tui.text.language import Message
 
 MOST_GRAPHS = 64
 """Graphs that are kept without an edge."""
@@ -44,7 +45,11 @@ class CutOrder(Struct, frozen=True):
         if self.around is None:
             return "no way"
         more = round(self.further)
-        return f"detour +{more} m ({self.around:.0f} m)" if more > 0 else "another way, as long"
+        return (
+            Message("detour +{more} m ({around} m)", more=more, around=f"{self.around:.0f}")
+            if more > 0
+            else "another way, as long"
+        )
 
 
 def closed_edge_at(

@@ -17,6 +17,7 @@ from fleet_tui.rules.commands.set_up.mode import mapping_text
 from fleet_tui.rules.language.anyone import own_place
 from fleet_tui.rules.language.lookup import Place
 from fleet_tui.rules.routes.ways import Routes, Spot
+from fleet_tui.text.language import Message
 
 BATTERY_MARGIN = 10.0
 """Per cent above the limit of a low battery that a robot needs, so that an order does not end in an alarm."""
@@ -35,7 +36,13 @@ class Nearest(Struct, frozen=True):
     def text(self) -> str:
         """Return the robot with the reason for it."""
         charge = "unknown" if self.battery is None else f"{int(self.battery)} %"
-        return f"{self.robot}: idle, {self.metres:.0f} m from {self.places[0].name}, battery {charge}"
+        return Message(
+            "{robot}: idle, {metres} m from {name}, battery {charge}",
+            robot=self.robot,
+            metres=f"{self.metres:.0f}",
+            name=self.places[0].name,
+            charge=charge,
+        )
 
 
 def nearest(state: FleetState, places: Sequence[Place]) -> Nearest | None:
@@ -51,9 +58,11 @@ def why_none(state: FleetState, places: Sequence[Place]) -> str:
     counted = Counter(why_not(state, robot) or "without a way" for robot in state.robots.values())
     others = ", ".join(f"{count} {reason}" for reason, count in counted.most_common())
     asked = (
-        f"drive {' -> '.join(place.name for place in places)}" if places[1:] else f"reach {places[0].name}"
+        Message("drive {name}", name=" -> ".join(place.name for place in places))
+        if places[1:]
+        else Message("reach {name}", name=places[0].name)
     )
-    return f"no idle robot can {asked}: {others}"
+    return Message("no idle robot can {asked}: {others}", asked=Message(asked), others=Message(others))
 
 
 def why_not(state: FleetState, robot: Robot) -> str:

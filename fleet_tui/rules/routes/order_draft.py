@@ -13,6 +13,7 @@ from fleet_tui.model.order import Order
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.language.lookup import Place
 from fleet_tui.rules.routes.ways import Spot, routes_of
+from fleet_tui.text.language import Message
 from fleet_tui.text.units import age
 
 SPEED = 0.5
@@ -52,12 +53,32 @@ class DraftRoute(Struct, frozen=True):
         if self.metres is None:
             return "no way on the graph"
         lift = ", by lift" if self.by_lift else ""
-        to_start = f"{self.approach:.0f} m to the start, then " if self.approach >= 1.0 else ""
+        to_start = (
+            Message("{approach} m to the start, then ", approach=f"{self.approach:.0f}")
+            if self.approach >= 1.0
+            else ""
+        )
         after = f", plus {self.before} order{'s' * (self.before > 1)} before" if self.before else ""
         takes = _rounded_up((self.metres + self.approach) / (self.pace or SPEED))
         if self.pace is None:
-            return f"{to_start}{self.metres:.0f} m{lift}, about {takes} at an assumed {SPEED} m/s{after}"
-        return f"{to_start}{self.metres:.0f} m{lift}, about {takes} at {self.pace:.1f} m/s{after}"
+            return Message(
+                "{to_start}{metres} m{lift}, about {takes} at an assumed {SPEED} m/s{after}",
+                to_start=Message(to_start),
+                metres=f"{self.metres:.0f}",
+                lift=Message(lift),
+                takes=takes,
+                SPEED=SPEED,
+                after=Message(after),
+            )
+        return Message(
+            "{to_start}{metres} m{lift}, about {takes} at {pace} m/s{after}",
+            to_start=Message(to_start),
+            metres=f"{self.metres:.0f}",
+            lift=Message(lift),
+            takes=takes,
+            pace=f"{self.pace:.1f}",
+            after=Message(after),
+        )
 
 
 def _rounded_up(seconds: float) -> str:

@@ -29,6 +29,7 @@ from fleet_tui.model.routines.blocks import (
 )
 from fleet_tui.rules.commands.route_checks import no_path, same_place, unknown_vertex
 from fleet_tui.rules.language.words import find_robot, vertex_of
+from fleet_tui.text.language import Message
 
 FindProgram = Callable[[Sequence[str]], str]
 """Returns the reason that a program can't be run, empty if it can."""
@@ -57,11 +58,19 @@ def check_routine(state: FleetState, routine: Routine, program: FindProgram) -> 
             found.append(RoutineProblem(lane.line, str(problem)))
             continue
         if robot.name in seen:
-            text = f"{robot.name} has a lane from line {seen[robot.name]}: put all its instructions there"
+            text = Message(
+                "{name} has a lane from line {seen}: put all its instructions there",
+                name=robot.name,
+                seen=seen[robot.name],
+            )
             found.append(RoutineProblem(lane.line, text))
         seen.setdefault(robot.name, lane.line)
         if not lane.body:
-            found.append(RoutineProblem(lane.line, f"{robot.name} has no instruction: add one before end"))
+            found.append(
+                RoutineProblem(
+                    lane.line, Message("{name} has no instruction: add one before end", name=robot.name)
+                )
+            )
         found += _LaneCheck(state, robot, program).problems(lane)
     return sorted(dict.fromkeys(found), key=lambda problem: problem.line)
 
@@ -144,9 +153,11 @@ class _LaneCheck:
         robot = self._robot
         match condition:
             case BatteryCondition() if "battery" not in robot.kind.reports:
-                yield f"{robot.name}: this kind does not report its battery: use wait 30 min"
+                yield Message(
+                    "{name}: this kind does not report its battery: use wait 30 min", name=robot.name
+                )
             case IdleCondition() if not robot.kind.lists_orders:
-                yield f"{robot.name}: this kind does not report its orders: use wait 30 s"
+                yield Message("{name}: this kind does not report its orders: use wait 30 s", name=robot.name)
             case PlaceCondition(place):
                 try:
                     vertex_of(robot, place)

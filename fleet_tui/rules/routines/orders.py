@@ -14,6 +14,7 @@ from fleet_tui.model.routines.blocks import CarryBlock, GoBlock
 from fleet_tui.model.routines.lane import OrderEnded, OrderWithheld
 from fleet_tui.rules.language.lookup import starts_here
 from fleet_tui.rules.language.words import vertex_of
+from fleet_tui.text.language import Message
 
 
 def order_of(robot: Robot, block: GoBlock | CarryBlock) -> Request | None:
@@ -61,8 +62,17 @@ def earlier_outcome(robot: Robot, order_id: str) -> OrderEnded | None:
         return None
     listed = next((one for one in robot.orders.orders if one.id == order_id), None)
     if listed is not None:
-        return OrderEnded(False, f"order {order_id}: {listed.state_text} while no console followed it")
-    return OrderEnded(False, f"order {order_id} left the queue while no console followed it")
+        return OrderEnded(
+            False,
+            Message(
+                "order {order_id}: {state_text} while no console followed it",
+                order_id=order_id,
+                state_text=Message(listed.state_text),
+            ),
+        )
+    return OrderEnded(
+        False, Message("order {order_id} left the queue while no console followed it", order_id=order_id)
+    )
 
 
 _FOR_A_PERSON = frozenset({"no link", "read-only", "not armed"})
@@ -74,6 +84,6 @@ def objection(problems: Sequence[Problem]) -> OrderEnded | OrderWithheld | None:
     a person to decide."""
     if not problems:
         return None
-    text = f"not sent: {'; '.join(problem.text for problem in problems)}"
+    text = Message("not sent: {text}", text=Message("; ".join(problem.text for problem in problems)))
     can_fail = problems[0].blocks and problems[0].check not in _FOR_A_PERSON
     return OrderEnded(False, text) if can_fail else OrderWithheld(text)

@@ -51,6 +51,7 @@ from fleet_tui.model.routines.blocks import (
     WaitBlock,
 )
 from fleet_tui.rules.language.words import said
+from fleet_tui.text.language import Message
 from fleet_tui.text.limits import LONGEST_NAME, truncate
 
 USAGE = {
@@ -164,7 +165,10 @@ def parse_routine(text: str) -> ParsedRoutine:
     lines = text.removesuffix("\n").split("\n")
     reader = _Reader()
     if len(lines) > MOST_LINES:
-        reader.wrong(MOST_LINES + 1, f"over {MOST_LINES} lines: divide the routine into several files")
+        reader.wrong(
+            MOST_LINES + 1,
+            Message("over {MOST_LINES} lines: divide the routine into several files", MOST_LINES=MOST_LINES),
+        )
     reader.lines = deque(reader.split(lines[:MOST_LINES]))
     routine = reader.routine()
     return ParsedRoutine(routine, tuple(sorted(reader.problems, key=lambda problem: problem.line)))
@@ -249,7 +253,7 @@ class _Reader:
             else:
                 self.wrong(at, "put it before on failure, which is the last part of its lane")
             self._blocks(depth + 1)
-        self.wrong(number, f"{word} is not closed: add end")
+        self.wrong(number, Message("{word} is not closed: add end", word=word))
 
     def _blocks(self, depth: int) -> list[Block]:
         """Read blocks up to the line that ends them."""
@@ -316,5 +320,9 @@ def _misplaced(words: Sequence[str]) -> str:
     if words[0] in places:
         return places[words[0]]
     if words[0] in _KEYWORDS:
-        return f"{words[0]} outside a lane: put it between for ROBOT and end"
-    return f"unknown instruction {said(words[0])}{did_you_mean(words[0], _KEYWORDS)}"
+        return Message("{words} outside a lane: put it between for ROBOT and end", words=words[0])
+    return Message(
+        "unknown instruction {said}{did_you_mean}",
+        said=said(words[0]),
+        did_you_mean=Message(did_you_mean(words[0], _KEYWORDS)),
+    )

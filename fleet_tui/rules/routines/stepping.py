@@ -49,6 +49,7 @@ from fleet_tui.model.routines.lane import (
     Ticked,
 )
 from fleet_tui.rules.routines.positions import after, again, block_at, leaf_at
+from fleet_tui.text.language import Message
 
 MOST_MOVES = 100
 """Blocks begun or ended by one tick: an endless repeat must not stop the console."""
@@ -92,7 +93,7 @@ def _begin(plan: LanePlan, lane: Lane, facts: LaneFacts) -> Stepped:
                 lane = replace(lane, path=(*lane.path, Position()))
             case IfBlock():
                 if (holds := facts.holds(block.condition)) is None:
-                    failed, more = _fail(plan, lane, f"{block.text}: unknown")
+                    failed, more = _fail(plan, lane, Message("{text}: unknown", text=Message(block.text)))
                     return failed, actions + more
                 actions.append(LaneNote(BEGUN, block.line, block.text))
                 lane = replace(lane, path=(*lane.path, Position(Part.BODY if holds else Part.ELSE)))
@@ -188,7 +189,11 @@ def _fail(plan: LanePlan, lane: Lane, reason: str) -> Stepped:
     """Leave every block, and begin those for a failure, once."""
     actions: list[LaneAction] = [*_left(plan, lane, reason)]
     if lane.has_failed or not plan.on_failure:
-        detail = f"{lane.detail}; then {reason}" if lane.has_failed else reason
+        detail = (
+            Message("{detail}; then {reason}", detail=Message(lane.detail), reason=Message(reason))
+            if lane.has_failed
+            else reason
+        )
         failed = replace(lane, phase=LanePhase.FAILED, path=lane.path[:1], detail=detail)
         return failed, [*actions, LaneNote(LanePhase.FAILED.value, detail=detail)]
     path = (Position(Part.FAILURE),)

@@ -23,6 +23,7 @@ from fleet_tui.model.routines.blocks import (
 from fleet_tui.rules.language.lookup import Place
 from fleet_tui.rules.language.words import vertex_of
 from fleet_tui.rules.routes.order_draft import SPEED, Draft, draft_route
+from fleet_tui.text.language import Message
 from fleet_tui.text.units import age
 
 MOST_ENTRIES = 200
@@ -111,7 +112,13 @@ class _Drawing:
         began, at = self._now, self._at
         goes_on = self.blocks(block.body, block.text)
         ended, end, self._now, self._at = self._now, self._at, began, at
-        goes_on = self.blocks(block.otherwise, f"unless {block.text.removeprefix('if ')}") and goes_on
+        goes_on = (
+            self.blocks(
+                block.otherwise,
+                Message("unless {removeprefix}", removeprefix=Message(block.text.removeprefix("if "))),
+            )
+            and goes_on
+        )
         self._now = max(ended, self._now)
         self._at = self._at if self._at == end else None
         self._is_least = True
@@ -127,7 +134,7 @@ class _Drawing:
             case WaitBlock():
                 return None, "unknown"
             case RunBlock(within=within):
-                return None, f"at most {age(within)}"
+                return None, Message("at most {age}", age=age(within))
             case GoBlock(place=place):
                 return self._way(place)
             case CarryBlock(start=start, end=end):

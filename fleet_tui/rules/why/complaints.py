@@ -24,6 +24,7 @@ from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.rules.causes import DIAGNOSED_WITHIN, LOGGED_WITHIN
 from fleet_tui.rules.why.orders import LOOK
 from fleet_tui.rules.why.reason import Reason, Strength
+from fleet_tui.text.language import Message
 
 SHOWN = 2
 """Complaints that are shown: the worst have the cause, the others mostly follow from it."""
@@ -46,7 +47,7 @@ class Complaint(Struct, frozen=True):
         """Return it as a reason to stand still."""
         strength = Strength.LIKELY if self.is_error else Strength.POSSIBLE
         evidence, remedy = (
-            f"in the robot's own {self.source}",
+            Message("in the robot's own {source}", source=self.source),
             LOOK if self.is_error and self.source == "diagnostics" else "",
         )
         page = "health" if self.source == "diagnostics" else "log"

@@ -4,6 +4,7 @@ from collections import defaultdict
 
 from fleet_tui.model.counters import LinkCounter
 from fleet_tui.rules.why.reason import Reason, Strength
+from fleet_tui.text.language import Message
 from fleet_tui.text.units import size_text
 
 NAMED = 3
@@ -25,5 +26,5 @@ def busiest(counter: LinkCounter, now: float) -> Reason | None:
         f"{kind} {messages:.0f}/s, {size_text(int(size))}/s in {count} topic{'s' * (count != 1)}"
         for kind, (count, messages, size) in first
     )
-    name = f"most messages: {', '.join(kind for kind, _ in first)}"
+    name = Message("most messages: {kind}", kind=Message(", ".join((kind for kind, _ in first))))
     return Reason(name, told, Strength.LIKELY, keys=("diagnostics",))

@@ -9,6 +9,7 @@ from fleet_tui.rules.alarms.facilities import SILENT_AFTER
 from fleet_tui.rules.alarms.members import FAILED_MODES, issue_remedy
 from fleet_tui.rules.commands.goals import active
 from fleet_tui.rules.why.reason import LOOK_AT, Reason, Strength
+from fleet_tui.text.language import Message
 
 
 def failed_mode(state: FleetState, robot: Robot) -> Reason | None:
@@ -48,7 +49,9 @@ def lift(state: FleetState, robot: Robot) -> Reason | None:
     one = own[0]
     strength = Strength.CERTAIN if one.fault else Strength.LIKELY
     remedy = "Put the lift in service again" if one.fault else ""
-    return Reason(f"waits for lift {one.name}", one.state, strength, seen=one.at, remedy=remedy)
+    return Reason(
+        Message("waits for lift {name}", name=one.name), one.state, strength, seen=one.at, remedy=remedy
+    )
 
 
 MEMBER_REASONS = (failed_mode, issues, emergency, lift)

@@ -9,6 +9,7 @@ from fleet_tui.rules.why.reason import LOOK_AT, Reason, Strength, mission, reaso
 from fleet_tui.situation.localisation import uncertain
 from fleet_tui.situation.navigation import inactive, silent_navigation
 from fleet_tui.situation.robots import adrift, drives_on
+from fleet_tui.text.language import Message
 
 
 def blocked(state: FleetState, robot: Robot) -> Reason | None:
@@ -16,14 +17,14 @@ def blocked(state: FleetState, robot: Robot) -> Reason | None:
     if robot.blocked is None or not robot.blocked.value.action:
         return None
     found, fresh = robot.blocked.value, state.is_fresh(robot, "blocked")
-    zone = f" in {found.polygon}" if found.polygon else ""
+    zone = Message(" in {polygon}", polygon=found.polygon) if found.polygon else ""
     strength = Strength.CERTAIN if fresh and found.is_stopped else Strength.POSSIBLE
-    cause = f"collision monitor triggered{zone}"
+    cause = Message("collision monitor triggered{zone}", zone=Message(zone))
     if robot.vehicle is not None:
-        cause = f"{found.polygon} violated"
+        cause = Message("{polygon} violated", polygon=found.polygon)
     return Reason(
         blocked_text(found, state.now),
-        f"{cause}: clear the path at the robot",
+        Message("{cause}: clear the path at the robot", cause=Message(cause)),
         strength,
         since=found.since,
         seen=robot.blocked.at,
@@ -78,7 +79,9 @@ def held(state: FleetState, robot: Robot) -> Reason | None:
     if not kept or not robot.held:
         return None
     evidence = f"{kept} order{'s' * (kept > 1)} waiting here: resume to continue"
-    return Reason(f"held: {robot.held}", evidence, Strength.CERTAIN, keys=("resume",))
+    return Reason(
+        Message("held: {held}", held=Message(robot.held)), evidence, Strength.CERTAIN, keys=("resume",)
+    )
 
 
 NAVIGATION_REASONS = (blocked, not_active, held, silent, not_sure_where, recovering)

@@ -34,6 +34,7 @@ from fleet_tui.situation.links import is_late, unsourced
 from fleet_tui.situation.navigation import silent_navigation
 from fleet_tui.situation.robots import last_contact
 from fleet_tui.text.details import detail_text
+from fleet_tui.text.language import Message
 from fleet_tui.text.units import age
 
 SHORT = 20.0
@@ -51,7 +52,7 @@ def command(state: FleetState, robot: Robot) -> Reason | None:
     if record.is_decided and not failed:
         return None
     verb = "resume" if isinstance(record.command, ResumeRobot) else "order"
-    evidence = record.detail or f"issued {age(state.now - record.issued_at)} ago"
+    evidence = record.detail or Message("issued {age} ago", age=age(state.now - record.issued_at))
     strength = Strength.LIKELY if robot.orders.open else Strength.CERTAIN
     keys = (verb,) if failed else ()
     remedy = failure_remedy(state, robot, record) or CLASSES["command"].action if failed else ""
@@ -77,12 +78,19 @@ def failed_order(state: FleetState, robot: Robot) -> Reason | None:
     if end.stage not in (Stage.FAILED, Stage.LEFT, Stage.LOST):
         return None
     evidence, cause = mission(robot, last.order), cause_of_end(robot, last)
-    name = f"last order failed: {cause}" if cause else "last order failed, no reason reported"
+    name = (
+        Message("last order failed: {cause}", cause=Message(cause))
+        if cause
+        else "last order failed, no reason reported"
+    )
     remedy = remedy_of(cause)
     keys = (*(LOOK_AT if remedy else ()), "order", "diagnostics")
     remedy = remedy or CLASSES["command"].action
     if end.stage is not Stage.FAILED:
-        name, evidence = f"last order {end.stage.value}", f"{evidence}{detail_text(end.reason)}"
+        name, evidence = (
+            Message("last order {value}", value=Message(end.stage.value)),
+            f"{evidence}{detail_text(end.reason)}",
+        )
         remedy = ORDER_ENDS[end.stage].remedy
     return Reason(name, evidence, since=last.at, keys=keys, remedy=remedy, page="log")
 
@@ -110,7 +118,7 @@ def no_orders(state: FleetState, robot: Robot) -> Reason | None:
     taken = record is not None and isinstance(record.command, ClearOrders | CancelOrder)
     evidence = f"{'no goal' if robot.kind.keeps_goals else 'queue empty'}: waiting for an order"
     if record is not None and taken and record.stage is Stage.CONFIRMED:
-        evidence = f"removed from the queue by this console {age(state.now - record.at)} ago"
+        evidence = Message("removed from the queue by this console {age} ago", age=age(state.now - record.at))
     strength = Strength.POSSIBLE if state.is_old(robot, "queue") else Strength.CERTAIN
     return Reason("no orders", evidence, strength, seen=robot.queue.at, keys=("order",))
 
@@ -128,7 +136,12 @@ def at_stop(state: FleetState, robot: Robot) -> Reason | None:
     does = "stops" if not robot.kind.brings_cargo else "unloading" if robot.has_cargo else "loading"
     strength = Strength.LIKELY if state.now - since < RECENT else Strength.POSSIBLE
     strength = Strength.NONE if state.now - since >= state.limits.stuck_after else strength
-    return Reason(f"{does} at {name_of(robot, here)}", f"for {mission(robot, order)}", strength, since)
+    return Reason(
+        Message("{does} at {name_of}", does=Message(does), name_of=name_of(robot, here)),
+        Message("for {mission}", mission=Message(mission(robot, order))),
+        strength,
+        since,
+    )
 
 
 def waits_behind(state: FleetState, robot: Robot) -> Reason | None:
@@ -145,8 +158,14 @@ def waits_behind(state: FleetState, robot: Robot) -> Reason | None:
     mark = mark_of(state, other)
     mutual = "; each blocks the other" if back is not None and back.robot is robot else ""
     return Reason(
-        f"waiting behind {other.name}",
-        f"{other.name} is {found.ahead:.1f} m ahead on the way to {name_of(robot, found.vertex)}{mutual}",
+        Message("waiting behind {name}", name=other.name),
+        Message(
+            "{name} is {ahead} m ahead on the way to {name_of}{mutual}",
+            name=other.name,
+            ahead=f"{found.ahead:.1f}",
+            name_of=name_of(robot, found.vertex),
+            mutual=Message(mutual),
+        ),
         Strength.LIKELY if other.orders.current is not None else Strength.POSSIBLE,
         since=stationary_since(other),
         seen=other.pose.at if other.pose else None,
@@ -159,10 +178,10 @@ def none_current(_state: FleetState, robot: Robot) -> Reason | None:
     waiting = robot.orders.open
     if robot.queue is None or not waiting or robot.orders.current is not None:
         return None
-    evidence = f"first: {mission(robot, waiting[0])}"
-    name = f"{len(waiting)} orders queued but not started"
+    evidence = Message("first: {mission}", mission=Message(mission(robot, waiting[0])))
+    name = Message("{waiting} orders queued but not started", waiting=len(waiting))
     if len(waiting) == 1:
-        name = f"order {waiting[0].id} queued but not started"
+        name = Message("order {id} queued but not started", id=waiting[0].id)
     seen, keys = robot.queue.at, ("clear", "order")
     return Reason(name, evidence, Strength.LIKELY, seen=seen, keys=keys, remedy=LOOK, page="log")
 
@@ -177,7 +196,7 @@ def stale_queue(state: FleetState, robot: Robot) -> Reason | None:
         return None
     evidence = "its other reports arrive: the program that carries out its orders has probably stopped"
     return Reason(
-        f"queue {age(state.now - robot.queue.at)} old",
+        Message("queue {age} old", age=age(state.now - robot.queue.at)),
         evidence,
         Strength.LIKELY,
         keys=("diagnostics",),
@@ -203,6 +222,10 @@ def unexplained(state: FleetState, robot: Robot) -> Reason | None:
     ruled_out = ", ".join(_ruled_out(state, robot))
     evidence = f"{mission(robot, order)} active{ruled_out and f'; {ruled_out}'}"
     if since is not None and state.now - since < SHORT:  # a turn, a crossing, loading: it may drive on
-        return Reason(f"stopped {age(state.now - since)} ago, nothing wrong so far", evidence, Strength.NONE)
+        return Reason(
+            Message("stopped {age} ago, nothing wrong so far", age=age(state.now - since)),
+            evidence,
+            Strength.NONE,
+        )
     keys = ("centre", "cancel", "clear")
     return Reason("cause unknown", evidence, Strength.NONE, since, keys=keys, remedy=LOOK, page="log")

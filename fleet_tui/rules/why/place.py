@@ -4,6 +4,7 @@ import math
 
 from fleet_tui.model.robot import Robot, RobotMap
 from fleet_tui.rules.why.traffic import AT_VERTEX
+from fleet_tui.text.language import Message
 
 
 def place_text(robot: Robot) -> str:
@@ -12,7 +13,7 @@ def place_text(robot: Robot) -> str:
     here = robot.maps.get(robot.floor or "", RobotMap())
     if robot.pose is None and robot.vehicle is not None and robot.vehicle.value.last_node:
         node = robot.vehicle.value.last_node
-        return f"at node {robot.name_of(node) or node}"
+        return Message("at node {name_of}", name_of=robot.name_of(node) or node)
     if robot.pose is None or here.graph is None:
         return ""
     pose, vertices = robot.pose.value, here.graph.vertices
@@ -24,4 +25,8 @@ def place_text(robot: Robot) -> str:
     if not math.isfinite(metres):
         return ""
     floor = f", {robot.floor}" if len(robot.maps) > 1 else ""
-    return f"at {label}{floor}" if metres <= AT_VERTEX else f"{metres:.0f} m from {label}{floor}"
+    return (
+        Message("at {label}{floor}", label=label, floor=floor)
+        if metres <= AT_VERTEX
+        else Message("{metres} m from {label}{floor}", metres=f"{metres:.0f}", label=label, floor=floor)
+    )

@@ -10,6 +10,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import Order, route_text
 from fleet_tui.model.robot import Robot
 from fleet_tui.situation.fact import Fact
+from fleet_tui.text.language import Message
 
 RECENT = 30.0
 """Seconds for which a failed command is a reason, and for which loading takes a moment."""
@@ -65,5 +66,9 @@ def name_of(robot: Robot, vertex: str) -> str:
 
 def mission(robot: Robot, order: Order) -> str:
     """Return an order by its id and its stops. An id that is not a number says nothing beside them."""
-    number = f"order {order.id}, " if order.id.isdigit() or not (order.stops or order.label) else "order "
+    number = (
+        Message("order {id}, ", id=order.id)
+        if order.id.isdigit() or not (order.stops or order.label)
+        else "order "
+    )
     return f"{number}{order.label or route_text(order.stops, partial(name_of, robot))}"

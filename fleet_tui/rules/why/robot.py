@@ -26,6 +26,7 @@ from fleet_tui.situation.facts import BAD_DATA, NO_POSE
 from fleet_tui.situation.localisation import no_pose
 from fleet_tui.situation.motion import STANDS_AFTER, moves_despite_pause, says_driving
 from fleet_tui.situation.robots import absence, last_contact, silent
+from fleet_tui.text.language import Message
 from fleet_tui.text.units import age, ago, duration
 
 WRONG_POSE = "Set its pose to where it stands, or check its localisation"
@@ -44,15 +45,15 @@ def moves(state: FleetState, robot: Robot) -> Reason | None:
     """Report that the robot is driving: by its own word if it has one."""
     says = says_driving(state, robot)
     if says is not None and robot.vehicle is not None:
-        name = f"{robot.name} is driving"
+        name = Message("{name} is driving", name=robot.name)
         return Reason(name, "reported by the vehicle", seen=robot.vehicle.at) if says else None
     since = stationary_since(robot)
     if robot.pose is None or since is None or state.is_old(robot, "pose"):
         return None
     if state.now - since >= STANDS_AFTER:
         return None
-    evidence = f"pose changed {ago(since, state.now)}"
-    return Reason(f"{robot.name} is driving", evidence, seen=robot.pose.at)
+    evidence = Message("pose changed {ago}", ago=Message(ago(since, state.now)))
+    return Reason(Message("{name} is driving", name=robot.name), evidence, seen=robot.pose.at)
 
 
 def no_link(state: FleetState, robot: Robot) -> Reason | None:
@@ -83,7 +84,10 @@ def late_link(state: FleetState, robot: Robot) -> Reason | None:
     fact = links.late_link(state, link)
     if fact is None or (state.is_online(robot) and not state.is_old(robot, "pose")):
         return None
-    name, evidence = f"messages {duration(link.late)} late", f"bridge of {link.name} overloaded"
+    name, evidence = (
+        Message("messages {duration} late", duration=duration(link.late)),
+        Message("bridge of {name} overloaded", name=link.name),
+    )
     return Reason(name, evidence, keys=fact.kind.keys, remedy=fact.action)
 
 
@@ -96,8 +100,10 @@ def silent_robot(state: FleetState, robot: Robot) -> Reason | None:
     beside = [other for other in state.robots.values() if other.link == robot.link]
     remedy = fact.action
     if fact.kind is not BAD_DATA and len(beside) > 1 and all(map(partial(silent, state), beside)):
-        remedy = (
-            f"All {len(beside)} robots of {robot.link} are silent: check its bridge and the network first"
+        remedy = Message(
+            "All {beside} robots of {link} are silent: check its bridge and the network first",
+            beside=len(beside),
+            link=robot.link,
         )
     keys, page = fact.kind.keys, fact.kind.page
     return Reason(fact.short, fact.evidence, strength, robot.last_received, fact.seen, keys, remedy, page)
@@ -131,8 +137,8 @@ def own_late_pause(state: FleetState, robot: Robot) -> Reason | None:
     if record is None or state.is_paused(robot) or record.stage not in _UNRESOLVED:
         return None
     return Reason(
-        f"pause from this console: {record.stage.value}",
-        record.detail or f"issued {age(state.now - record.issued_at)} ago",
+        Message("pause from this console: {value}", value=Message(record.stage.value)),
+        record.detail or Message("issued {age} ago", age=age(state.now - record.issued_at)),
         Strength.LIKELY,
         since=record.issued_at,
         keys=("resume",),
@@ -183,9 +189,16 @@ def jumps(state: FleetState, robot: Robot) -> Reason | None:
     recent = recent_jumps(robot, state.now)
     if not recent:
         return None
-    last, name = recent[-1], f"localisation jumps: {len(recent)} in {JUMPS_WITHIN:.0f} s"
+    last, name = (
+        recent[-1],
+        Message(
+            "localisation jumps: {recent} in {JUMPS_WITHIN} s",
+            recent=len(recent),
+            JUMPS_WITHIN=f"{JUMPS_WITHIN:.0f}",
+        ),
+    )
     evidence, keys = (
-        f"the last by {last.value:.1f} m: its pose is not to be trusted",
+        Message("the last by {value} m: its pose is not to be trusted", value=f"{last.value:.1f}"),
         ("pose", "centre", *DIAGNOSE),
     )
     return Reason(name, evidence, since=recent[0].at, seen=last.at, keys=keys, remedy=NO_POSE.action)
@@ -197,7 +210,9 @@ def misplaced(state: FleetState, robot: Robot) -> Reason | None:
     if not text or robot.pose is None or found is None or text == OFF_ROUTE:
         return None  # off its routes is another rule's, with the metres
     pose, is_now = robot.pose.value, is_misplaced(robot)
-    evidence = f"at {pose.x:.1f}, {pose.y:.1f} m on {robot.floor} no robot can be"
+    evidence: str = Message(
+        "at {x}, {y} m on {floor} no robot can be", x=f"{pose.x:.1f}", y=f"{pose.y:.1f}", floor=robot.floor
+    )
     evidence = evidence if is_now else "its pose has just been where no robot can be"
     is_sure = is_now or misplaced_for_long(state, robot) is not None
     strength = Strength.CERTAIN if is_sure else Strength.LIKELY
@@ -210,7 +225,10 @@ def off_graph(state: FleetState, robot: Robot) -> Reason | None:
     """Report a pose beside all edges of a robot with an order that drives only on these."""
     if robot.pose is None or not state.is_fresh(robot, "pose") or not is_off_route(robot):
         return None
-    name, evidence = f"pose {metres_off(robot):.1f} m off the route graph", "its order leads along the edges"
+    name, evidence = (
+        Message("pose {metres_off} m off the route graph", metres_off=f"{metres_off(robot):.1f}"),
+        "its order leads along the edges",
+    )
     strength = Strength.LIKELY if misplaced_for_long(state, robot) is None else Strength.CERTAIN
     remedy, keys = to_place(state, robot)
     return Reason(name, evidence, strength, seen=robot.pose.at, keys=keys, remedy=remedy)
@@ -231,9 +249,15 @@ def charges(state: FleetState, robot: Robot) -> Reason | None:
         return Reason("charging", by, Strength.LIKELY, stationary_since(robot), reported.at)
     if charger is None or battery is None or battery.value >= FULL:
         return None
-    evidence = f"at the charger, battery {int(battery.value)} %, no order active"
+    evidence = Message("at the charger, battery {value} %, no order active", value=int(battery.value))
     since = stationary_since(robot)
-    return Reason(f"charging at {name_of(robot, charger.id)}", evidence, Strength.LIKELY, since, battery.at)
+    return Reason(
+        Message("charging at {name_of}", name_of=name_of(robot, charger.id)),
+        evidence,
+        Strength.LIKELY,
+        since,
+        battery.at,
+    )
 
 
 def battery(state: FleetState, robot: Robot) -> Reason | None:
@@ -245,7 +269,12 @@ def battery(state: FleetState, robot: Robot) -> Reason | None:
     critical = charge.value < limits.battery_critical and not state.is_old(robot, "battery")
     limit = limits.battery_critical if critical else limits.battery_low
     strength = Strength.LIKELY if critical else Strength.POSSIBLE
-    evidence = f"below {limit:.0f} %: the robot may reserve the rest to reach a charger"
-    name, on_its_way = f"battery {int(charge.value)} %", charging_remedy(state, robot)
+    evidence = Message(
+        "below {limit} %: the robot may reserve the rest to reach a charger", limit=f"{limit:.0f}"
+    )
+    name, on_its_way = (
+        Message("battery {value} %", value=int(charge.value)),
+        charging_remedy(state, robot),
+    )
     remedy, keys = (on_its_way, ()) if on_its_way else (CLASSES["battery"].action, ("charge",))
     return Reason(name, evidence, strength, seen=charge.at, keys=keys, remedy=remedy)

@@ -13,7 +13,7 @@ RULES = Path(__file__).parents[3] / "fleet_tui" / "rules"
 
 def test_every_kind_of_alarm_has_a_class() -> None:
     sources = "".join(path.read_text() for path in RULES.rglob("*.py"))
-    kinds = set(re.findall(r'Condition\(\s*[\w."]+, "([\w-]+)"', sources)) | {
+    kinds = set(re.findall(r'Condition\(\s*[\w."]+,\s*"([\w-]+)"', sources)) | {
         "command",
         "many commands",
         "frames",

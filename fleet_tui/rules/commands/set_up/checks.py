@@ -23,6 +23,7 @@ from fleet_tui.model.set_up.commands import (
 from fleet_tui.rules.commands.local_queue import waiting
 from fleet_tui.rules.commands.set_up.mode import mapping_text
 from fleet_tui.situation.motion import is_moving
+from fleet_tui.text.language import Message
 
 FARTHEST = 1e6
 """Metres from the origin of a map beyond which a pose is a slip of the keyboard."""
@@ -57,11 +58,25 @@ def no_place(state: FleetState, robot: Robot, command: Command) -> Iterator[Prob
             continue
         finite = all(map(math.isfinite, (pose.x, pose.y, pose.yaw)))
         if not finite or max(abs(pose.x), abs(pose.y)) > FARTHEST:
-            yield Problem("no place", f"({pose.x:g}, {pose.y:g}, {pose.yaw:g}) is no pose on a map")
+            yield Problem(
+                "no place",
+                Message(
+                    "({x}, {y}, {yaw}) is no pose on a map",
+                    x=f"{pose.x:g}",
+                    y=f"{pose.y:g}",
+                    yaw=f"{pose.yaw:g}",
+                ),
+            )
     floor = command.floor if isinstance(command, SetPose | SendGoal | SendGraph) else ""
     if floor and floor not in robot.maps:
         yield Problem(
-            "no place", f"{robot.name} has no floor {floor}: its floors are {', '.join(robot.maps)}"
+            "no place",
+            Message(
+                "{name} has no floor {floor}: its floors are {maps}",
+                name=robot.name,
+                floor=floor,
+                maps=", ".join(robot.maps),
+            ),
         )
 
 
@@ -72,9 +87,12 @@ def driving(state: FleetState, robot: Robot, command: Command) -> Iterator[Probl
     current = robot.orders.current
     has_begun = current is not None and current.state in BEGUN and not state.is_paused(robot)
     if is_moving(robot, state.now) and state.is_fresh(robot, "pose"):
-        yield Problem("driving", f"{robot.name} is driving: pause it first")
+        yield Problem("driving", Message("{name} is driving: pause it first", name=robot.name))
     elif has_begun and current is not None:
-        yield Problem("driving", f"{robot.name} has order {current.id} in process: pause it first")
+        yield Problem(
+            "driving",
+            Message("{name} has order {id} in process: pause it first", name=robot.name, id=current.id),
+        )
 
 
 def blocked_goal(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
@@ -88,7 +106,12 @@ def blocked_goal(state: FleetState, robot: Robot, command: Command) -> Iterator[
         yield Problem("no map", f"no map of {floor or 'its floor'}: the goal can't be checked", blocks=False)
     elif (found := class_at(grid, pose.x, pose.y)) != FREE:
         what = "occupied" if found == OCCUPIED else "unknown ground"
-        yield Problem("blocked goal", f"({pose.x:.2f}, {pose.y:.2f}) is {what} on the map")
+        yield Problem(
+            "blocked goal",
+            Message(
+                "({x}, {y}) is {what} on the map", x=f"{pose.x:.2f}", y=f"{pose.y:.2f}", what=Message(what)
+            ),
+        )
 
 
 def occupied_pose(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
@@ -97,7 +120,7 @@ def occupied_pose(state: FleetState, robot: Robot, command: Command) -> Iterator
         return
     pose, grid = command.pose, map_of(state, robot, command.floor)
     if grid is not None and class_at(grid, pose.x, pose.y) == OCCUPIED:
-        text = f"({pose.x:.2f}, {pose.y:.2f}) is occupied on the map"
+        text = Message("({x}, {y}) is occupied on the map", x=f"{pose.x:.2f}", y=f"{pose.y:.2f}")
         yield Problem("occupied", text, blocks=False)
 
 
@@ -111,7 +134,9 @@ def busy(state: FleetState, robot: Robot) -> Iterator[Problem]:
 def mapped(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
     """Check that an order does not drive a robot that maps."""
     if isinstance(command, PlaceOrder | SendGoal) and (text := mapping_text(robot)):
-        yield Problem("mapping", f"{robot.name} is {text}", blocks=False)
+        yield Problem(
+            "mapping", Message("{name} is {text}", name=robot.name, text=Message(text)), blocks=False
+        )
 
 
 def goal_beside_orders(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
@@ -120,13 +145,16 @@ def goal_beside_orders(state: FleetState, robot: Robot, command: Command) -> Ite
         return
     yield from busy(state, robot)
     if state.is_paused(robot):
-        yield Problem("paused", f"{robot.name} is paused", blocks=False)
+        yield Problem("paused", Message("{name} is paused", name=robot.name), blocks=False)
 
 
 def no_name(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
     """Check the name of a map on a robot, which some programs put into a shell command."""
     if isinstance(command, StoreMap) and not MAP_NAME.fullmatch(command.name):
-        yield Problem("no name", f"{command.name!r}: up to 64 letters, digits, _ and -, no - at the start")
+        yield Problem(
+            "no name",
+            Message("{name}: up to 64 letters, digits, _ and -, no - at the start", name=f"{command.name!r}"),
+        )
 
 
 def only_its_goal(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:

@@ -23,6 +23,7 @@ from fleet_tui.model.set_up.commands import (
 from fleet_tui.rules.commands.pauses import stopped
 from fleet_tui.rules.commands.set_up.mode import is_in_mode
 from fleet_tui.situation.motion import STANDS_AFTER
+from fleet_tui.text.language import Message
 
 SET_WITHIN = 0.5
 SET_TURN = math.radians(15.0)
@@ -47,7 +48,7 @@ def difference(one: Pose, other: Pose) -> tuple[float, float]:
 def difference_text(one: Pose, other: Pose) -> str:
     """Return the difference of two poses in words."""
     metres, turn = difference(one, other)
-    return f"{metres:.2f} m and {math.degrees(turn):.0f}°"
+    return Message("{metres} m and {degrees}°", metres=f"{metres:.2f}", degrees=f"{math.degrees(turn):.0f}")
 
 
 def is_near(one: Pose, other: Pose) -> bool:
@@ -73,7 +74,14 @@ def set_up_seen(state: FleetState, robot: Robot, record: CommandRecord, command:
             pose = _since(robot, record, floor)
             if pose is None or not is_near(pose, wanted):
                 return None
-            return Step(Stage.CONFIRMED, state.now, f"reported within {difference_text(pose, wanted)}")
+            return Step(
+                Stage.CONFIRMED,
+                state.now,
+                Message(
+                    "reported within {difference_text}",
+                    difference_text=Message(difference_text(pose, wanted)),
+                ),
+            )
         case SendGoal():
             return _goal_seen(state, robot, record, command)
         case CancelGoal() if record.before.moving:
@@ -150,8 +158,11 @@ def instead_of_set_up(robot: Robot, record: CommandRecord, command: SetUp) -> st
         case SetPose(_, floor, wanted):
             pose = _since(robot, record, floor)
             if pose is None:
-                return f"no pose on {floor} received since"
-            return f"the robot reported a pose {difference_text(pose, wanted)} from it"
+                return Message("no pose on {floor} received since", floor=floor)
+            return Message(
+                "the robot reported a pose {difference_text} from it",
+                difference_text=Message(difference_text(pose, wanted)),
+            )
         case SendGoal():
             return "the robot did not move"
         case CancelGoal():
@@ -159,12 +170,20 @@ def instead_of_set_up(robot: Robot, record: CommandRecord, command: SetUp) -> st
         case StartCharging():
             return "the robot does not say that it charges"
         case SetMapping():
-            return f"the robot reports {robot.mode.value}" if robot.mode else "no mode received"
+            return (
+                Message("the robot reports {value}", value=Message(robot.mode.value))
+                if robot.mode
+                else "no mode received"
+            )
         case SendGraph() if command.path:
             return "the robot may have loaded the file or not"
         case SendGraph(_, floor):
             present = present_graph(robot, floor)
-            return f"the robot has {present}" if present else f"no graph of {floor} received"
+            return (
+                Message("the robot has {present}", present=Message(present))
+                if present
+                else Message("no graph of {floor} received", floor=floor)
+            )
         case Localise() | Settle() | StoreMap():
             return "no evidence in telemetry"
         case _:

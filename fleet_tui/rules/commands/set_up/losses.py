@@ -19,6 +19,7 @@ from fleet_tui.model.set_up.commands import (
     StoreMap,
 )
 from fleet_tui.rules.commands.set_up.confirmation import believed, difference_text, present_graph
+from fleet_tui.text.language import Message
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import age, counted
 
@@ -33,22 +34,26 @@ def _differs(state: FleetState, robot: Robot, pose: Pose) -> Iterator[str]:
     differs, is_old = difference_text(now.value, pose), state.now - now.at > OLD
     if is_old and now != robot.pose:
         # The pose that is shown is carried on by its wheels, and is newer.
-        yield f"{differs} from the last pose of its localisation, {age(state.now - now.at)} ago"
+        yield Message(
+            "{differs} from the last pose of its localisation, {age} ago",
+            differs=differs,
+            age=age(state.now - now.at),
+        )
         return
-    since = f", reported {age(state.now - now.at)} ago" if is_old else ""
-    yield f"{differs} from its present pose{since}"
+    since = Message(", reported {age} ago", age=age(state.now - now.at)) if is_old else ""
+    yield Message("{differs} from its present pose{since}", differs=differs, since=Message(since))
 
 
 def set_up_losses(state: FleetState, robot: Robot, command: SetUp) -> Iterator[str]:
     """Return the question and the difference to now, one line each; empty for a harmless command."""
     match command:
         case SetPose(name, floor, pose):
-            yield f"{name}: {command.text} on {floor}?"
+            yield Message("{name}: {text} on {floor}?", name=name, text=Message(command.text), floor=floor)
             yield from _differs(state, robot, pose)
         case Localise(name):
-            yield f"{name}: forget its pose and search on the whole map?"
+            yield Message("{name}: forget its pose and search on the whole map?", name=name)
         case CancelGoal(name):
-            yield f"{name}: cancel its goal?"
+            yield Message("{name}: cancel its goal?", name=name)
         case SetMapping(name, on):
             yield f"{name}: {command.text}?"
             if on:
@@ -62,7 +67,7 @@ def set_up_losses(state: FleetState, robot: Robot, command: SetUp) -> Iterator[s
             yield from _file_lines(state, robot, command)
             count = len(robot.orders.open)
             too = f", {count} open order{'s' * (count != 1)} too" if count else ""
-            yield f"orders are driven on it from then on{too}"
+            yield Message("orders are driven on it from then on{too}", too=Message(too))
         case Settle() | SendGoal() | StartCharging():
             return
         case _:
@@ -74,7 +79,7 @@ def _file_lines(state: FleetState, robot: Robot, command: SendGraph) -> Iterator
     if not command.path:
         return
     kept = ", the old file is kept as .bak" if command.is_kept else ""
-    yield f"writes {sanitize(command.path)}{kept}"
+    yield Message("writes {path}{kept}", path=sanitize(command.path), kept=kept)
     others = [
         one
         for one in state.robots.values()

@@ -1,6 +1,7 @@
 """The mode of a robot: by its own report, else as this console switched it."""
 
 from fleet_tui.model.robot import Robot
+from fleet_tui.text.language import Message
 
 MAPPING_MODE = "mapping"
 NAVIGATION_MODE = "navigation"
@@ -18,4 +19,4 @@ def mapping_text(robot: Robot) -> str:
     """Return `mapping`, `mapping (by us)` if only this console's own command is known, empty for neither."""
     if robot.mode is not None:
         return MAPPING_MODE if robot.mode.value == MAPPING_MODE else ""
-    return f"{MAPPING_MODE} (by us)" if robot.mapping_by_us else ""
+    return Message("{MAPPING_MODE} (by us)", MAPPING_MODE=MAPPING_MODE) if robot.mapping_by_us else ""

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.set_up.confirmation import believed, difference, difference_text
+from fleet_tui.text.language import Message
 from fleet_tui.text.units import counted
 
 SAME = 0.02
@@ -33,9 +34,22 @@ def settling_text(poses: Sequence[Pose | None]) -> str:
     """Return the number of calls and their effect in words."""
     calls, (before, after) = counted(len(poses) - 1, "call"), poses[-2:]
     if after is None:
-        return f"{calls}, no pose reported since"
+        return Message("{calls}, no pose reported since", calls=Message(calls))
     if before is None or poses[0] is None:
-        return f"{calls}, pose reported"
+        return Message("{calls}, pose reported", calls=Message(calls))
     still = "" if is_settled(poses) else "still "
-    last = f", {still}by {difference_text(before, after)} at the last" if len(poses) > 2 else ""
-    return f"{calls}, pose changed by {difference_text(poses[0], after)}{last}"
+    last = (
+        Message(
+            ", {still}by {difference_text} at the last",
+            still=still,
+            difference_text=Message(difference_text(before, after)),
+        )
+        if len(poses) > 2
+        else ""
+    )
+    return Message(
+        "{calls}, pose changed by {difference_text}{last}",
+        calls=Message(calls),
+        difference_text=Message(difference_text(poses[0], after)),
+        last=last,
+    )
