@@ -42,6 +42,7 @@ from fleet_tui.terminal.detect import (
 )
 from fleet_tui.terminal.lean_app import LeanApp
 from fleet_tui.terminal.terminal_driver import PlainDriver
+from fleet_tui.text.language import Message
 from fleet_tui.themes import FleetTheme, load_themes
 from fleet_tui.view.map.drawing import Drawing
 
@@ -60,7 +61,9 @@ def _refuse(config: Config, themes: Mapping[str, FleetTheme]) -> None:
     refused = access_problems(config)
     if config.ui.theme not in themes:
         near = did_you_mean(config.ui.theme, themes)
-        refused.append(f"ui.theme: unknown theme {config.ui.theme!r}{near}")
+        refused.append(
+            Message("ui.theme: unknown theme {theme}{near}", theme=f"{config.ui.theme!r}", near=Message(near))
+        )
     if refused:
         raise ConfigError([f"{config.path}: {line}" for line in refused])
 
@@ -94,21 +97,30 @@ def _first_steps(config: Config) -> str:
     if config.operator.read_only:
         return "simulated fleet, read-only"
     order, *_ = keymap(config.keys)[0]["order"]
-    return f"simulated fleet. Try an order: {key_name(order)}, type Base, Enter, type Cons, Enter"
+    return Message(
+        "simulated fleet. Try an order: {key_name}, type Base, Enter, type Cons, Enter",
+        key_name=key_name(order),
+    )
 
 
 def _arrived(config: Config, site: "DiscoveredSite | None") -> str:
     """Return where the fleet comes from. A file found in the current folder may be there by chance."""
     masters = [name for name, link in config.bridges.items() if link.role == "master"]
     if masters and not config.operator.read_only:
-        return f"master control on {', '.join(masters)}: ways by the graph, no traffic control"
+        return Message(
+            "master control on {masters}: ways by the graph, no traffic control", masters=", ".join(masters)
+        )
     if site is not None:
-        return f"{site.bridge.shown}: {site.summary}. :save keeps it"
+        return Message(
+            "{shown}: {summary}. :save keeps it", shown=Message(site.bridge.shown), summary=site.summary
+        )
     count = len(config.robots)
     told = f"{count} robot{'s' * (count != 1)}"
     if config.path.parent != Path.cwd():
         return f"{config.path}: {told}"
-    return f"./{config.path.name}: {told}. fleet-tui demo shows a simulated fleet"
+    return Message(
+        "./{name}: {told}. fleet-tui demo shows a simulated fleet", name=config.path.name, told=Message(told)
+    )
 
 
 def _files(
@@ -281,12 +293,18 @@ def _ready(
     need_terminal()
     themes, problems = load_themes(user_folder() / "themes")
     _refuse(config, themes)
-    warnings = [*config.withheld, *(f"theme {problem}" for problem in problems)]
+    warnings = [
+        *config.withheld,
+        *(Message("theme {problem}", problem=Message(problem)) for problem in problems),
+    ]
     if log_to_file(debug) is None:
-        warnings.append(state_problem() or f"logging off: {state_folder()} is not writable")
+        warnings.append(
+            state_problem()
+            or Message("logging off: {state_folder} is not writable", state_folder=state_folder())
+        )
     for warning in warnings:
         LOG.warning("%s", warning)
-    more = f" and {len(warnings) - 1} more" if warnings[1:] else ""
+    more = Message(" and {warnings} more", warnings=len(warnings) - 1) if warnings[1:] else ""
     message = "; ".join([*(f"{one}{more}" for one in warnings[:1]), *filter(None, [message])])
     use_language(config.ui.language)
     mode, colour = drawing_for(drawing or config.ui.drawing), has_colour()

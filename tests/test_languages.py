@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from fleet_tui.config.schema import Ui
 from fleet_tui.languages import ENGLISH, use_language
-from fleet_tui.text.language import FIGURES, Catalogue, Message, read_catalogue, tr
+from fleet_tui.text.language import FIGURES, Catalogue, Message, is_guessed, read_catalogue, tr
 from tests.support.screen_texts import ROOT, texts
 
 LANGUAGES = sorted(path.stem for path in (ROOT / "locales").glob("*.po"))
@@ -72,9 +72,11 @@ def test_a_language_is_used_until_another_one_is() -> None:
 
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_messages_of_one_shape_have_translations_of_one_shape(language: str) -> None:
-    """A text does not tell which of them it is: `{name} on {link}`, `{edge} on {floor}`."""
+    """A text does not tell which of them it is: `{name} on link {link}`, `{edge} on link {floor}`."""
     found: dict[str, set[str]] = {}
     for one, text in read_catalogue(file_of(language)).items():
+        if not is_guessed(one):
+            continue
         shape = re.sub(r"\{(\w+)\}", lambda place: FIGURES.get(place[1], "*"), one)
         for number, place in enumerate(places(one)):
             text = text.replace(f"{{{place}}}", f"<{number}>")
@@ -127,6 +129,14 @@ def test_a_message_within_a_message_is_translated_too() -> None:
         == "4 s zu spät: keine Verbindung"
     )
     assert tr("{duration} late: {word}", duration="4 s", word="no link") == "4 s zu spät: no link"
+
+
+def test_the_words_of_a_robot_stay_as_they_are() -> None:
+    use_language("de")
+    assert tr("Failed to make progress") == "Failed to make progress"
+    refused = Message("refused: {what}", what=Message("door to hall locked"))
+    assert tr(refused) == "abgelehnt: door to hall locked"
+    assert tr(Message("no link") + Message(", {age} ago", age="4 s")) == "keine Verbindung, vor 4 s"
 
 
 def test_a_figure_in_per_cent_is_no_text() -> None:

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image, UnidentifiedImageError
 
+from fleet_tui.text.language import Message
 from fleet_tui.text.limits import truncate
 from fleet_tui.text.sanitize import sanitize
 
@@ -37,15 +38,26 @@ def decode(data: bytes, width: int, height: int) -> Decoded:
         with Image.open(io.BytesIO(data), formats=FORMATS) as image:
             size = image.size
             if size[0] * size[1] > MOST_PIXELS:
-                return Decoded(None, size, f"{size[0]} x {size[1]} px exceeds {MOST_PIXELS:,} px")
+                return Decoded(
+                    None,
+                    size,
+                    Message(
+                        "{size} x {size2} px exceeds {MOST_PIXELS} px",
+                        size=size[0],
+                        size2=size[1],
+                        MOST_PIXELS=f"{MOST_PIXELS:,}",
+                    ),
+                )
             return Decoded(_scaled(image, max(width, 1), max(height, 1)), size)
     except UnidentifiedImageError:
         return Decoded(None, reason="unreadable: cut off, or neither JPEG nor PNG")
     except Image.DecompressionBombError:
-        return Decoded(None, reason=f"exceeds {MOST_PIXELS:,} px")
+        return Decoded(None, reason=Message("exceeds {MOST_PIXELS} px", MOST_PIXELS=f"{MOST_PIXELS:,}"))
     except Exception as problem:  # noqa: BLE001  # hostile bytes: decoders raise what no list has in full
         text = sanitize(truncate(str(problem), LONGEST_REASON))
-        return Decoded(None, reason=f"unreadable: {text or type(problem).__name__}")
+        return Decoded(
+            None, reason=Message("unreadable: {text}", text=Message(text or type(problem).__name__))
+        )
 
 
 def _scaled(image: Image.Image, width: int, height: int) -> Pixels:

@@ -9,7 +9,7 @@ import msgspec
 from fleet_tui.model.order import Stop
 from fleet_tui.storage.lock import LockFile, owner_of
 from fleet_tui.storage.whole_file import replacing
-from fleet_tui.text.language import in_english
+from fleet_tui.text.language import Message, in_english
 
 FILE = "queue.json"
 LOCK = "queue.lock"
@@ -66,7 +66,7 @@ class QueueFile:
             try:
                 path.replace(aside)
             except OSError as error:
-                self.problem = f"{path} unreadable: {error.strerror}"
+                self.problem = Message("{path} unreadable: {strerror}", path=path, strerror=error.strerror)
             return []
 
     def save(self, kept: list[WaitingOrder]) -> None:
@@ -78,7 +78,7 @@ class QueueFile:
                 file.write(msgspec.json.encode(kept, enc_hook=in_english))
             self.problem = ""
         except OSError as problem:
-            self.problem = f"{path} not writable: {problem.strerror}"
+            self.problem = Message("{path} not writable: {strerror}", path=path, strerror=problem.strerror)
 
     def _kept_at(self) -> Path | None:
         return self._path if self._lock is not None and self._lock.is_held else None

@@ -25,6 +25,7 @@ from fleet_tui.model.set_up.commands import StartCharging
 from fleet_tui.rules.commands.local_queue import failed_before, is_busy, next_to_send, orders_to_save, waiting
 from fleet_tui.rules.commands.pauses import late_goals
 from fleet_tui.state.store import Store
+from fleet_tui.text.language import Message
 
 LOG = logging.getLogger(__name__)
 
@@ -128,14 +129,27 @@ class WaitingOrders:
 
     def _enqueue(self, robot: Robot) -> tuple[Stage, str]:
         if len(waiting(self._store.state, robot)) >= MOST_WAITING:
-            return Stage.NOT_SENT, f"{robot.name} has {MOST_WAITING} orders waiting here, the maximum"
+            return Stage.NOT_SENT, Message(
+                "{name} has {MOST_WAITING} orders waiting here, the maximum",
+                name=robot.name,
+                MOST_WAITING=MOST_WAITING,
+            )
         busy = "is paused" if robot.paused_by_us else "has an order"
         if self._file is None:
-            detail = f"{robot.name} {busy} and has no queue: order from a console, or wait"
+            detail = Message(
+                "{name} {busy} and has no queue: order from a console, or wait", name=robot.name, busy=busy
+            )
             return Stage.NOT_SENT, detail
         if not self._claim(self._file):
-            return Stage.NOT_SENT, f"{robot.name} {busy}, and {self._file.owner} keeps the queue"
-        return Stage.WAITING, f"in the queue of this console ({self._file.owner})"
+            return Stage.NOT_SENT, Message(
+                "{name} {busy}, and {owner} keeps the queue",
+                name=robot.name,
+                busy=busy,
+                owner=Message(self._file.owner),
+            )
+        return Stage.WAITING, Message(
+            "in the queue of this console ({owner})", owner=Message(self._file.owner)
+        )
 
     def _confirm(self, command_id: int, at: float) -> None:
         """Report a cancellation of what only this console had."""

@@ -16,7 +16,7 @@ from fleet_tui.rules.alarms.classes import action_of
 from fleet_tui.rules.routes.charging import way_to_charger
 from fleet_tui.rules.sites import of_site, sites_of
 from fleet_tui.state.store import Store
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import Message, tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import age
 from fleet_tui.view.tables.alarms import unacknowledged
@@ -94,7 +94,11 @@ class AlarmResponses:
     def _acknowledge(self, key: Key) -> None:
         fresh = key in unacknowledged(self._store.state)
         if self._post(AlarmAcknowledged(*key)) and fresh:
-            self._notices.note(f"acknowledged: {key[1]} alarm of {sanitize(key[0])}")
+            self._notices.note(
+                Message(
+                    "acknowledged: {key} alarm of {key2}", key=Message(key[1]), key2=Message(sanitize(key[0]))
+                )
+            )
 
     def acknowledge_all(self) -> None:
         """Acknowledge every alarm, of several sites those of the one that is shown."""
@@ -117,12 +121,14 @@ class AlarmResponses:
         """List the actions for an alarm, and select its robot: what is shown is about one."""
         alarm = next((one for one in self._store.state.alarms if one.key == (source, kind)), None)
         if alarm is None:
-            self._notices.say(f"the alarm of {source} has cleared")
+            self._notices.say(Message("the alarm of {source} has cleared", source=source))
             return
         if source in self._store.state.robots:
             self._navigation.select(source)
         first, last = self._clock(alarm.first_wall), self._clock(alarm.last_wall)
-        seen = f"first seen {first}, last seen {last}, x{alarm.count}"
+        seen = Message(
+            "first seen {first}, last seen {last}, x{count}", first=first, last=last, count=alarm.count
+        )
         title = f"{source}: {tr(sanitize(alarm.text))}\n{tr(action_of(alarm.condition))}\n{seen}"
         # What is not always offered is last: each number means the same also after an acknowledgement.
         entries = [*self._ways_to(alarm), *self._shelve(alarm), *self._commands(alarm), *self._answers(alarm)]
@@ -133,17 +139,23 @@ class AlarmResponses:
         whose = {alarm.condition.source, *alarm.condition.parts}
         names = [name for name in self._store.state.robots if name in whose]
         if len(names) == 1:
-            yield f"Explain {names[0]}", partial(self._explain, names[0])
+            yield Message("Explain {names}", names=names[0]), partial(self._explain, names[0])
         for name in names[:SHOWN]:
-            yield f"Show {name} on the map", partial(self._navigation.find_robot, name)
+            yield Message("Show {name} on the map", name=name), partial(self._navigation.find_robot, name)
 
     def _commands(self, alarm: Alarm) -> Iterator[Entry]:
         source = alarm.condition.source
         if source in self._store.state.robots:
-            yield f"Command {source}: pause, order, clear", partial(self._robot_menu, source)
+            yield (
+                Message("Command {source}: pause, order, clear", source=source),
+                partial(self._robot_menu, source),
+            )
             state = self._store.state
             if alarm.condition.kind == "battery" and (way := way_to_charger(state, state.robots[source])):
-                yield f"Order {source} to {way[-1].name}", partial(self._charge, source)
+                yield (
+                    Message("Order {source} to {name}", source=source, name=way[-1].name),
+                    partial(self._charge, source),
+                )
 
     def explain(self) -> None:
         """Explain the robot of the marked alarm, the first of a group; else the selected one."""
@@ -162,7 +174,7 @@ class AlarmResponses:
     def _answers(self, alarm: Alarm) -> Iterator[Entry]:
         if alarm.needs_acknowledgement:
             key = " ".join(self._keys["acknowledge"])
-            yield f"Acknowledge ({key})", partial(self._acknowledge, alarm.key)
+            yield Message("Acknowledge ({key})", key=Message(key)), partial(self._acknowledge, alarm.key)
         if alarm.stage is AlarmStage.SHELVED:
             yield "Unshelve", partial(self._post, AlarmUnshelved(*alarm.key))
 
@@ -170,4 +182,4 @@ class AlarmResponses:
         state = self._store.state
         seconds = state.limits.shelve_for
         shelved = AlarmShelved(*alarm.key, state.now + seconds)
-        yield f"Shelve for {age(seconds)}", partial(self._post, shelved)
+        yield Message("Shelve for {age}", age=age(seconds)), partial(self._post, shelved)

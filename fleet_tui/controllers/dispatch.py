@@ -20,6 +20,7 @@ from fleet_tui.rules.commands.local_queue import hold_all
 from fleet_tui.rules.commands.rights import not_allowed
 from fleet_tui.rules.commands.subject import Subject, subject_of, what_changed
 from fleet_tui.state.store import Store
+from fleet_tui.text.language import Message
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.questions import losses, question
 
@@ -88,7 +89,9 @@ class Dispatch:
         wrong = [problem.text for problem in self.objections(request) if problem.blocks]
         if refused := self._not_allowed(request):
             return refused
-        return self._backend.refusal or (f"not sent: {sanitize(wrong[0])}" if wrong else "")
+        return self._backend.refusal or (
+            Message("not sent: {wrong}", wrong=sanitize(wrong[0])) if wrong else ""
+        )
 
     def _not_allowed(self, request: Request) -> str:
         return "".join(problem.text for problem in not_allowed(request.commands, self.permissions))
@@ -111,7 +114,9 @@ class Dispatch:
         request, left_out = acceptable(self._store.state, request)
         problem = self._give_able(request, sent)
         if left_out and not problem:
-            self._notices.note(f"not sent to {'; '.join(sanitize(one.text) for one in left_out)}")
+            self._notices.note(
+                Message("not sent to {text}", text=Message("; ".join(sanitize(one.text) for one in left_out)))
+            )
         return problem
 
     def _give_able(self, request: Request, sent: Callable[[], None]) -> str:
@@ -161,7 +166,7 @@ class Dispatch:
     def withdrawn(self, request: Request, asked: Subject) -> str:
         """Return why a question is void: it is not about what was `asked` any more. Empty while it is."""
         change = what_changed(self._store.state, request, asked)
-        return f"not sent: {sanitize(change)}" if change else ""
+        return Message("not sent: {change}", change=sanitize(change)) if change else ""
 
     def _send_after_all(
         self, request: Request, asked: Subject, sent: Callable[[], None], prepare: Prepare | None
@@ -259,7 +264,9 @@ class StartupRequests:
             if ready is None:
                 continue
             if now > one.until + LATEST and not one.pauses:
-                self._refuse(f"not sent: no link for {now - one.since:.1f} s, repeat the command")
+                self._refuse(
+                    Message("not sent: no link for {now} s, repeat the command", now=f"{now - one.since:.1f}")
+                )
             else:
                 self._give(ready)
 

@@ -6,6 +6,7 @@ from functools import partial
 from pathlib import Path
 
 from fleet_tui.controllers.files import ConsoleFiles, Pack
+from fleet_tui.text.language import Message
 from fleet_tui.text.units import size_text
 
 LOG = logging.getLogger(__name__)
@@ -53,7 +54,9 @@ class IncidentPacking:
             path = pack(shot, is_cancelled)
             # The usual path fits 80 columns.
             where = str(path).replace(str(Path.home()), "~", 1)
-            said = f"packed {size_text(path.stat().st_size)}: {where}"
+            said: str = Message(
+                "packed {size_text}: {where}", size_text=size_text(path.stat().st_size), where=where
+            )
         except Exception as problem:
             # The operator sees any error, and may try again.
             LOG.exception("packing")

@@ -7,6 +7,7 @@ from time import monotonic
 
 from fleet_tui.keys.key import key_name
 from fleet_tui.rules.rates.attention import SeenArea
+from fleet_tui.text.language import Message
 from fleet_tui.view.map.camera import ZOOM_STEP, seen_area
 from fleet_tui.view.map.drawing import Drawing
 from fleet_tui.view.map.modes.mode import CursorMode, MapMode, ViewMode
@@ -148,7 +149,7 @@ class MapControls:
         options, styles = self._picture.options, list(Drawing)
         following = styles[(styles.index(options.drawing) + 1) % len(styles)]
         self._picture.options = replace(options, drawing=following)
-        self._say(f"drawing: {following.value}")
+        self._say(Message("drawing: {value}", value=Message(following.value)))
         self._view.draw()
 
     def enter(self, mode: MapMode) -> None:
@@ -195,5 +196,8 @@ class MapControls:
         found = picture.mode.pick(picture.viewport, picture.scene) if picture.scene is not None else None
         post_pick(self._view, found)
         if found is None:
-            way = [f"{key_name(key)} goes to the next one" for key in self._to_next[:1]]
+            way = [
+                Message("{key_name} goes to the next one", key_name=key_name(key))
+                for key in self._to_next[:1]
+            ]
             self._say(": ".join(["no place here", *way]))

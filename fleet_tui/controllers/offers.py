@@ -17,7 +17,7 @@ from fleet_tui.keys.key import key_name
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.rules.sites import robots_at, sites_of
 from fleet_tui.state.store import Store
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import Message, tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.help.synonyms import SYNONYMS
 from fleet_tui.view.lines.hints import hidden_keys, unoffered_keys
@@ -36,12 +36,20 @@ def typed_site(line: str, state: FleetState, find: Callable[[str], None]) -> Typ
         return Typed(problem="this console has one site: give links a site in the configuration")
     if name not in sites:
         near = [f"{WORD} {site}" for site in sites if site.startswith(name)]
-        problem = f"no site {sanitize(name)}{did_you_mean(name, sites)}" if name and not near else ""
+        problem = (
+            Message(
+                "no site {name}{did_you_mean}",
+                name=sanitize(name),
+                did_you_mean=Message(did_you_mean(name, sites)),
+            )
+            if name and not near
+            else ""
+        )
         return Typed(completed=near, problem=problem or f"site NAME: {sanitize(', '.join(sites))}")
     robots = robots_at(state, name)
     if not robots:
-        return Typed(problem=f"site {sanitize(name)} has no robots")
-    return Typed([(f"Go to site {sanitize(name)}", partial(find, robots[0]))])
+        return Typed(problem=Message("site {name} has no robots", name=sanitize(name)))
+    return Typed([(Message("Go to site {name}", name=sanitize(name)), partial(find, robots[0]))])
 
 
 class Offer(NamedTuple):

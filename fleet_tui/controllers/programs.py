@@ -15,6 +15,7 @@ from fleet_tui.model.problem import Right
 from fleet_tui.model.programs.program import NOT_CONFIRMED, ChangeOutcome, ProgramState
 from fleet_tui.programs.change import VERBS, change
 from fleet_tui.programs.watch import ProgramWatch
+from fleet_tui.text.language import Message
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.programs.questions import change_question
 from fleet_tui.view.programs.table import note
@@ -64,7 +65,7 @@ class ProgramRequests:
             verbs = ()
         entries: list[Entry] = [(verb.capitalize(), partial(self._ask_to, name, verb)) for verb in verbs]
         entries.append(("Log", partial(show_log, name)))
-        where = f" on {row.host}" if row.host else ""
+        where = Message(" on {host}", host=row.host) if row.host else ""
         lines = [f"{name}{where}: {state.value}", note(row, now)]
         self._open_menu("\n".join(sanitize(line) for line in lines if line), entries)
 
@@ -72,7 +73,11 @@ class ProgramRequests:
         if refusal := self._dispatch.set_up_refusal():
             return refusal
         pending = self._watch.rows[name].pending
-        return f"{name}: {pending} is still under way" if pending else ""
+        return (
+            Message("{name}: {pending} is still under way", name=name, pending=Message(pending))
+            if pending
+            else ""
+        )
 
     def _ask_to(self, name: str, verb: str) -> None:
         if refusal := self._refusal(name):
@@ -90,7 +95,7 @@ class ProgramRequests:
             return
         self._watch.set_pending(name, verb)
         self._log(name, verb, "sent")
-        self._notices.say(sanitize(f"{name}: {verb} is under way"))
+        self._notices.say(sanitize(Message("{name}: {verb} is under way", name=name, verb=Message(verb))))
         task = asyncio.ensure_future(self._change(name, verb))
         # The loop alone would let it be collected.
         self.under_way.add(task)
@@ -111,5 +116,5 @@ class ProgramRequests:
 
     def _log(self, name: str, verb: str, outcome: str) -> None:
         host = self._watch.rows[name].host
-        where = f" on {host}" if host else ""
-        self._files.log(f"program {verb}", f"{name}{where}: {outcome}")
+        where = Message(" on {host}", host=host) if host else ""
+        self._files.log(Message("program {verb}", verb=Message(verb)), f"{name}{where}: {outcome}")

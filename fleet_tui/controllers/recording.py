@@ -6,6 +6,7 @@ from pathlib import Path
 
 from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.errors import FleetError
+from fleet_tui.text.language import Message
 
 LOG = logging.getLogger(__name__)
 
@@ -44,7 +45,7 @@ class RecordingSwitch:
             if recordings.recorder is not None:
                 said = recordings.stop()
             else:
-                said = f"recording to {recordings.start()}"
+                said = Message("recording to {start}", start=recordings.start())
         except FleetError as problem:
             said = f"recording failed: {problem}"
         finally:

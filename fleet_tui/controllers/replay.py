@@ -10,6 +10,7 @@ from fleet_tui.controllers.typed import Typed
 from fleet_tui.errors import FleetError
 from fleet_tui.keys import Key, Pane
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.text.language import Message
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.status import status_line
 from fleet_tui.view.lines.time import time_at
@@ -47,7 +48,10 @@ class Replay:
         if self._time_line is not None:
             self._time_line.show(moment, self._clock)
         date = time.strftime("%Y-%m-%d %H:%M:%S", time.localtime(moment.wall))
-        return ((f" REPLAY {date} ", StyleRole.WARN), *status_line(state, robot, addressed=False)), ()
+        return (
+            (Message(" REPLAY {date} ", date=date), StyleRole.WARN),
+            *status_line(state, robot, addressed=False),
+        ), ()
 
     def time_line(self) -> "TimeLine":
         """Return the time line widget, updated at every tick."""
@@ -68,12 +72,12 @@ class Replay:
         if not text:
             from fleet_tui.recording.play.times import FORMS  # imports numpy
 
-            return Typed(problem=f"enter a time: {FORMS}")
+            return Typed(problem=Message("enter a time: {FORMS}", FORMS=FORMS))
         try:
             at = self._player.time_of(text)
         except FleetError as problem:
             return Typed(problem=sanitize(str(problem)))
-        return Typed([(f"Go to {text}", lambda: self._player.seek(at))])
+        return Typed([(Message("Go to {text}", text=Message(text)), lambda: self._player.seek(at))])
 
     def pick_time(self, x: int, width: int) -> None:
         """Go to the time of a cell of the time line."""

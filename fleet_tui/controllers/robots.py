@@ -17,7 +17,7 @@ from fleet_tui.model.request import Request
 from fleet_tui.rules.alarms.trouble import needs_a_look
 from fleet_tui.rules.routes.charging import way_to_charger
 from fleet_tui.state.store import Store
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import Message, tr
 from fleet_tui.text.sanitize import sanitize
 
 
@@ -113,7 +113,10 @@ class RobotRequests:
     def _alarms(self, robot: str) -> Iterator[Entry]:
         for alarm in self._store.state.alarms:
             if alarm.condition.source == robot:
-                yield f"Alarm: {sanitize(alarm.text)} ...", partial(self._alarm_menu, *alarm.key)
+                yield (
+                    Message("Alarm: {text} ...", text=Message(sanitize(alarm.text))),
+                    partial(self._alarm_menu, *alarm.key),
+                )
 
     def _for(self, robot: str, action: Callable[[], None]) -> None:
         self._navigation.select(robot)

@@ -10,6 +10,7 @@ from fleet_tui.controllers.dispatch import Ask
 from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.controllers.typed import Typed
 from fleet_tui.errors import FleetError
+from fleet_tui.text.language import Message
 from fleet_tui.text.sanitize import sanitize
 
 WORD = "save"
@@ -41,7 +42,14 @@ class SaveCommand:
             return Typed([(problem, partial(self._say, problem))])
         saving, name = self._files.saving, name or USUAL
         assert saving is not None
-        return Typed([(f"Save this configuration to {sanitize(name)}", partial(self._save, saving, name))])
+        return Typed(
+            [
+                (
+                    Message("Save this configuration to {name}", name=sanitize(name)),
+                    partial(self._save, saving, name),
+                )
+            ]
+        )
 
     def _unsavable(self, name: str) -> str:
         """Return the reason that nothing can be saved, empty if something can."""
@@ -51,13 +59,15 @@ class SaveCommand:
             return self._files.naming_refusal
         path = self._files.saving.path
         if path and (not name or expanded(name).resolve() == Path(path).resolve()):
-            return f"already saved in {sanitize(path)}: {WORD} FILE writes a copy"
+            return Message(
+                "already saved in {path}: {WORD} FILE writes a copy", path=sanitize(path), WORD=WORD
+            )
         return ""
 
     def _save(self, saving: Saving, name: str) -> None:
         """Save, asking before overwriting a file."""
         if expanded(name).exists():
-            question = f"{sanitize(name)} exists. Overwrite?"
+            question = Message("{name} exists. Overwrite?", name=sanitize(name))
             self._ask(lambda: question, partial(self._write, saving, name))
         else:
             self._write(saving, name)

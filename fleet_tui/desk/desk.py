@@ -42,6 +42,7 @@ from fleet_tui.model.history.facts import Note
 from fleet_tui.model.problem import Right
 from fleet_tui.state.store import Store
 from fleet_tui.storage.worker import Worker
+from fleet_tui.text.language import Message
 from fleet_tui.text.sanitize import sanitize
 
 LOG = logging.getLogger(__name__)
@@ -101,11 +102,20 @@ class SharedDesk:
         if self._worker.busy_for > SLOW:
             return ["desk: not responding, nothing is shared"]
         ignored = self._facts.ignored + self._reader.ignored
-        told = [f"desk: {ignored} entries ignored: not of a console"] if ignored else []
-        lost = [f"desk: {self._outbox.lost} facts not shared"] if self._outbox.lost else []
+        told = (
+            [Message("desk: {ignored} entries ignored: not of a console", ignored=ignored)] if ignored else []
+        )
+        lost = [Message("desk: {lost} facts not shared", lost=self._outbox.lost)] if self._outbox.lost else []
         grows = self._facts.grows
-        large = [f"desk: facts.jsonl grows, it can't be shortened: {grows}"] if grows else []
-        return [*(f"desk: not shared: {one}" for one in self._problems), *lost, *large, *told]
+        large = (
+            [Message("desk: facts.jsonl grows, it can't be shortened: {grows}", grows=grows)] if grows else []
+        )
+        return [
+            *(Message("desk: not shared: {one}", one=one) for one in self._problems),
+            *lost,
+            *large,
+            *told,
+        ]
 
     def start(self, post: Callable[[Event], object]) -> None:
         """Join the desk; `post` applies an event."""

@@ -34,6 +34,7 @@ from fleet_tui.state.store import Store
 from fleet_tui.storage.lock import LockFile
 from fleet_tui.storage.worker import Worker
 from fleet_tui.storage.write_queue import WriteQueue
+from fleet_tui.text.language import Message
 
 LOG = logging.getLogger(__name__)
 
@@ -78,8 +79,14 @@ class HistoryWriter:
     @property
     def notes(self) -> list[str]:
         """Return notes for the operator; empty while all is written."""
-        told = [f"not written: {self.problem}"] if self.problem else [self.note] if self.note else []
-        return [f"history: {one}" for one in told]
+        told = (
+            [Message("not written: {problem}", problem=Message(self.problem))]
+            if self.problem
+            else [self.note]
+            if self.note
+            else []
+        )
+        return [Message("history: {one}", one=one) for one in told]
 
     def start(self) -> None:
         """Begin to observe."""
@@ -204,7 +211,9 @@ class HistoryWriter:
         # One console only: a second one would put aside what the first has begun.
         if isinstance(problem, sqlite3.Error) and is_damaged(problem) and self._turn.is_held:
             with suppress(OSError):
-                self.note = f"was damaged: kept as {put_aside(self.path, datetime.now().astimezone()).name}"
+                self.note = Message(
+                    "was damaged: kept as {name}", name=put_aside(self.path, datetime.now().astimezone()).name
+                )
                 LOG.error("history: %s: %s", self.path, self.note)
                 return
         if words != self.problem:

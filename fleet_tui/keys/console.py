@@ -2,6 +2,7 @@
 
 from fleet_tui.actions import Actions
 from fleet_tui.keys.key import LISTS, Key, Pane
+from fleet_tui.text.language import Message
 
 PLAIN: tuple[Key[Actions], ...] = (
     Key(
@@ -101,7 +102,7 @@ def _robot(number: int) -> Key[Actions]:
         f"robot_{number}",
         (str(number),),
         lambda do: do.view.choose_robot(number),
-        f"Select the robot with number {number}",
+        Message("Select the robot with number {number}", number=number),
         helps="stays",
     )
 

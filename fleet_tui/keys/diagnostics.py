@@ -6,6 +6,7 @@ from msgspec import Struct
 
 from fleet_tui.actions.panes import DiagnosticsActions
 from fleet_tui.keys.key import Key, Pane
+from fleet_tui.text.language import Message
 
 
 class DiagnosticsPage(Struct, frozen=True):
@@ -38,7 +39,13 @@ def _page(number: int) -> Callable[[DiagnosticsActions], None]:
 
 DIAGNOSTICS: tuple[Key[DiagnosticsActions], ...] = (
     *(
-        Key(f"page_{name.lower()}", (str(n),), _page(n), f"Page {n}: {page.text}", pane=Pane.DIAGNOSTICS)
+        Key(
+            f"page_{name.lower()}",
+            (str(n),),
+            _page(n),
+            Message("Page {n}: {text}", n=n, text=Message(page.text)),
+            pane=Pane.DIAGNOSTICS,
+        )
         for n, (name, page) in enumerate(PAGES.items(), 1)
     ),
     Key("next_page", ("tab",), lambda do: do.step_page(1), "Next page", pane=Pane.DIAGNOSTICS),

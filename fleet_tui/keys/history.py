@@ -4,6 +4,7 @@ from collections.abc import Callable
 
 from fleet_tui.actions.panes import HistoryActions
 from fleet_tui.keys.key import Key, Pane
+from fleet_tui.text.language import Message
 
 HISTORY_PAGES = {
     "Events": "orders, alarms, commands, links, notes",
@@ -27,7 +28,7 @@ def _key(
 
 HISTORY: tuple[Key[HistoryActions], ...] = (
     *(
-        _key(name.lower(), (str(n),), _page(n), f"Page {n}: {text}")
+        _key(name.lower(), (str(n),), _page(n), Message("Page {n}: {text}", n=n, text=Message(text)))
         for n, (name, text) in enumerate(HISTORY_PAGES.items(), 1)
     ),
     _key("next_page", ("tab",), lambda do: do.step_page(1), "Next page"),

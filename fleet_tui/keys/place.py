@@ -4,6 +4,7 @@ from collections.abc import Callable
 
 from fleet_tui.actions import Actions, PlaceActions
 from fleet_tui.keys.key import Key, Pane
+from fleet_tui.text.language import Message
 
 TURN = 5
 FINE_TURN = 1
@@ -83,13 +84,31 @@ PLACE: tuple[Key[Actions], ...] = (
     ),
     _place("send", ("enter",), lambda do: do.send(), "Ask, then send the pose or goal", "send"),
     _place(
-        "left", ("h",), lambda do: do.turn(TURN), f"Turn the heading {TURN} degrees to the left", "turn left"
+        "left",
+        ("h",),
+        lambda do: do.turn(TURN),
+        Message("Turn the heading {TURN} degrees to the left", TURN=TURN),
+        "turn left",
     ),
     _place(
-        "right", ("l",), lambda do: do.turn(-TURN), f"Turn the heading {TURN} degrees to the right", "right"
+        "right",
+        ("l",),
+        lambda do: do.turn(-TURN),
+        Message("Turn the heading {TURN} degrees to the right", TURN=TURN),
+        "right",
     ),
-    _place("fine_left", ("H",), lambda do: do.turn(FINE_TURN), f"Turn {FINE_TURN} degree to the left"),
-    _place("fine_right", ("L",), lambda do: do.turn(-FINE_TURN), f"Turn {FINE_TURN} degree to the right"),
+    _place(
+        "fine_left",
+        ("H",),
+        lambda do: do.turn(FINE_TURN),
+        Message("Turn {FINE_TURN} degree to the left", FINE_TURN=FINE_TURN),
+    ),
+    _place(
+        "fine_right",
+        ("L",),
+        lambda do: do.turn(-FINE_TURN),
+        Message("Turn {FINE_TURN} degree to the right", FINE_TURN=FINE_TURN),
+    ),
     _place(
         "snap", ("s",), lambda do: do.snap(), "Snap the pose to the best fit of the scan nearby", "best fit"
     ),

@@ -26,6 +26,7 @@ from fleet_tui.model.occupancy import (
     build_grid,
 )
 from fleet_tui.storage.handles import open_file
+from fleet_tui.text.language import Message
 
 MODES = ("trinary", "scale", "raw")
 # Not all formats of Pillow: TIFF's library writes on stderr, EPS starts a program.
@@ -100,7 +101,7 @@ def _table(path: Path) -> dict[str, Any]:
     except UnicodeDecodeError:
         raise MapError("unreadable: not text in UTF-8") from None
     except yaml.MarkedYAMLError as problem:
-        line = f" in line {problem.problem_mark.line + 1}" if problem.problem_mark else ""
+        line = Message(" in line {line}", line=problem.problem_mark.line + 1) if problem.problem_mark else ""
         raise MapError(f"unreadable: not YAML: {problem.problem}{line}") from None
     except yaml.YAMLError as problem:
         reason = "control characters" if isinstance(problem, ReaderError) else str(problem)
@@ -119,7 +120,7 @@ def _table(path: Path) -> dict[str, Any]:
 def _reason(problem: OSError) -> str:
     if isinstance(problem, IsADirectoryError):
         return "unreadable: a folder: name a file"
-    return f"unreadable: {problem.strerror or problem}"
+    return Message("unreadable: {strerror}", strerror=problem.strerror or problem)
 
 
 def _reading(table: dict[str, Any]) -> OccupancyThresholds:

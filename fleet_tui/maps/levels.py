@@ -10,6 +10,7 @@ from fleet_tui.errors import MapError, WireError
 from fleet_tui.model.events import GridReceived
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.grid import check_frame
+from fleet_tui.text.language import Message
 
 MOST_LEVELS = 50
 
@@ -56,7 +57,13 @@ def _grid(level: str, image: ImageMessage, at: float) -> GridReceived:
     from fleet_tui.maps.images import OccupancyThresholds, classes_of
     from fleet_tui.model.occupancy import build_grid
 
-    check_finite(image.x_offset, image.y_offset, image.yaw, image.scale, field=f"level {level[:40]}: image")
+    check_finite(
+        image.x_offset,
+        image.y_offset,
+        image.yaw,
+        image.scale,
+        field=Message("level {level}: image", level=level[:40]),
+    )
     try:
         classes = classes_of(io.BytesIO(image.data), image.name or "image", OccupancyThresholds())
         height, width = classes.shape

@@ -6,6 +6,7 @@ from msgspec.structs import replace
 
 from fleet_tui.errors import MapError
 from fleet_tui.model.geometry import MapFrame, Pose
+from fleet_tui.text.language import Message
 
 Pixel = tuple[float, float]
 """Column and row, from the picture's upper left corner."""
@@ -62,5 +63,10 @@ def _check(
         raise MapError("the two points must be at least a pixel apart")
     if not FINEST <= distance / pixels <= COARSEST:
         least, most = FINEST * pixels, COARSEST * pixels
-        limits = f"from {least:g} to {most:g} m, not {distance:g}"
+        limits = Message(
+            "from {least} to {most} m, not {distance}",
+            least=f"{least:g}",
+            most=f"{most:g}",
+            distance=f"{distance:g}",
+        )
         raise MapError(f"the distance of points {pixels:.0f} px apart must be {limits}")

@@ -5,6 +5,7 @@ import io
 
 from fleet_tui.adapters.adapter import Limit
 from fleet_tui.errors import WireError
+from fleet_tui.text.language import Message
 
 
 def text_of_png(data: str, limit: Limit) -> bytes:
@@ -19,7 +20,12 @@ def text_of_png(data: str, limit: Limit) -> bytes:
         with Image.open(io.BytesIO(base64.b64decode(data)), formats=["PNG"]) as image:
             size = 3 * image.width * image.height
             if size > megabytes * 1e6:
-                text = f"a message of {size / 1e6:.1f} MB exceeds the limit of {megabytes:g} MB: raise {key}"
+                text = Message(
+                    "a message of {size} MB exceeds the limit of {megabytes} MB: raise {key}",
+                    size=f"{size / 1000000.0:.1f}",
+                    megabytes=f"{megabytes:g}",
+                    key=Message(key),
+                )
                 raise WireError(text)
             return image.convert("RGB").tobytes().rstrip(b"\n")
     except (OSError, ValueError, SyntaxError, Image.DecompressionBombError) as problem:

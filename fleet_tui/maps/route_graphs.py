@@ -19,6 +19,7 @@ from fleet_tui.model.graph import Edge, RouteGraph, Vertex
 from fleet_tui.model.graphs.document import DocumentFloor, GraphDocument
 from fleet_tui.model.graphs.ids import distinct
 from fleet_tui.model.graphs.live import role_of, route_graph
+from fleet_tui.text.language import Message
 from fleet_tui.text.limits import LONGEST_NAME, MOST_EDGES, MOST_VERTICES, too_many, truncate
 
 MAX_FILE = 40_000_000
@@ -78,7 +79,7 @@ def _read(floor: str, path: Path) -> FloorGraphLoaded:
         graph, labels, faults = read_site_graph(floor, text)
     else:
         graph, labels = _read_features(raw, faults)
-    problem = f"graph {path.name}: {_summary(faults)}" if faults else ""
+    problem = Message("graph {name}: {summary}", name=path.name, summary=_summary(faults)) if faults else ""
     return FloorGraphLoaded(floor, graph, labels, problem)
 
 
@@ -92,7 +93,7 @@ def _read_features(raw: list[msgspec.Raw], faults: list[str]) -> tuple[RouteGrap
 
 
 def _summary(faults: list[str]) -> str:
-    more = f", {len(faults) - 1} more faults" if len(faults) > 1 else ""
+    more = Message(", {faults} more faults", faults=len(faults) - 1) if len(faults) > 1 else ""
     return f"{truncate(faults[0])}{more}"
 
 
@@ -145,7 +146,7 @@ def _vertices(points: Iterable[_Feature], faults: list[str]) -> tuple[dict[str, 
             faults.append(f"vertex {id_}: {problem}: left out")
             continue
         if id_ in vertices:
-            faults.append(f"vertex {id_} duplicated: the last one is used")
+            faults.append(Message("vertex {id} duplicated: the last one is used", id=id_))
             labels.pop(id_, None)
         type_ = _text(metadata.class_)
         vertices[id_] = Vertex(id_, x, y, role_of(type_), type_)
@@ -185,12 +186,18 @@ def _graph(vertices: Mapping[str, Vertex], lines: Iterable[_Feature], faults: li
         ends = line.properties.startid, line.properties.endid
         way = str(ends[0]), str(ends[1])
         if None in ends:
-            faults.append(f"edge {id_} has no startid or no endid: left out")
+            faults.append(Message("edge {id} has no startid or no endid: left out", id=id_))
         elif unknown := [end for end in way if end not in vertices]:
-            faults.append(f"edge {id_} names unknown vertex {unknown[0]}: left out")
+            faults.append(
+                Message("edge {id} names unknown vertex {unknown}: left out", id=id_, unknown=unknown[0])
+            )
         else:
             if way in ways:
-                faults.append(f"duplicate edge from {way[0]} to {way[1]}: the last one is used")
+                faults.append(
+                    Message(
+                        "duplicate edge from {way} to {way2}: the last one is used", way=way[0], way2=way[1]
+                    )
+                )
             ways[way] = Edge(id_, *way)
     if any((end, start) not in ways for start, end in ways):
         return RouteGraph(vertices, tuple(ways.values()), directed=True)
@@ -211,7 +218,9 @@ def read_site_graph(floor: str, text: str) -> tuple[RouteGraph, dict[str, str], 
     try:
         document = read_graph(text, None, ReadChoices(floor)).document
     except MissingChoiceError as missing:
-        remedy = f"make a file of it: fleet-tui graph convert IN OUT {missing.option} ..."
+        remedy = Message(
+            "make a file of it: fleet-tui graph convert IN OUT {option} ...", option=missing.option
+        )
         raise GraphError(f"{missing}; {remedy}") from None
     found, faults = _usable(_floor(document, floor))
     if not found.vertices:
@@ -234,12 +243,16 @@ def _floor(document: GraphDocument, name: str) -> DocumentFloor:
 def _usable(floor: DocumentFloor) -> tuple[DocumentFloor, list[str]]:
     """Return the floor without vertices at no place and edges without both ends, and the faults."""
     vertices = {id_: v for id_, v in floor.vertices.items() if abs(v.x) <= FARTHEST and abs(v.y) <= FARTHEST}
-    faults = [f"vertex {id_} is at no place: left out" for id_ in floor.vertices if id_ not in vertices]
+    faults: list[str] = [
+        Message("vertex {id} is at no place: left out", id=id_)
+        for id_ in floor.vertices
+        if id_ not in vertices
+    ]
     edges = {}
     for id_, edge in floor.edges.items():
         lost = [end for end in (edge.start, edge.end) if end not in vertices]
         if lost:
-            faults.append(f"edge {id_} names unknown vertex {lost[0]}: left out")
+            faults.append(Message("edge {id} names unknown vertex {lost}: left out", id=id_, lost=lost[0]))
         else:
             edges[id_] = edge
     return replace(floor, vertices=vertices, edges=edges), faults

@@ -10,6 +10,7 @@ from msgspec.structs import replace
 from fleet_tui.model.kind import Kind
 from fleet_tui.model.order import Order, Stop
 from fleet_tui.model.set_up.commands import SetUp, SetUpCommand, StartCharging
+from fleet_tui.text.language import Message
 
 
 class PlaceOrder(Struct, frozen=True, tag=True):
@@ -33,9 +34,9 @@ class PlaceOrder(Struct, frozen=True, tag=True):
     def text(self, kind: Kind, route: str) -> str:
         """Return the name of the command with its stops; `route` is their text."""
         if self.to_any:
-            return f"order {route} (any robot)"
+            return Message("order {route} (any robot)", route=route)
         if self.with_cargo and not kind.brings_cargo:
-            return f"go to {route.removeprefix('-> ')}"
+            return Message("go to {removeprefix}", removeprefix=Message(route.removeprefix("-> ")))
         return f"{self.what(kind)} {route}"
 
 

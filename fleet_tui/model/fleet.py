@@ -12,6 +12,7 @@ from fleet_tui.model.fleets.facility import Facility
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.link import LinkState, Phase
 from fleet_tui.model.robot import Reading, Robot
+from fleet_tui.text.language import Message
 from fleet_tui.text.units import age, duration
 
 CONTACT = 3.0
@@ -167,7 +168,7 @@ def returned_text(state: FleetState, link: LinkState) -> str:
     if link.outage <= state.limits.link_after:
         return ""
     name = f"{link.name} " if len(state.links) > 1 else ""
-    return f"{name}link restored after {age(link.outage)}"
+    return Message("{name}link restored after {age}", name=name, age=age(link.outage))
 
 
 MISSING_AFTER = 3.0
@@ -184,16 +185,24 @@ def missing_text(state: FleetState, robot: Robot, value: str) -> str:
     """Return the text of a value that was not received: `-` if none has to be."""
     if not robot.kind.expects(value):
         return "-"
-    return f"{value} missing" if is_missing(state, robot, value) else f"no {value} yet"
+    return (
+        Message("{value} missing", value=Message(value))
+        if is_missing(state, robot, value)
+        else Message("no {value} yet", value=Message(value))
+    )
 
 
 def obstacle_text(state: FleetState, robot: Robot, contact: Reading[float]) -> str:
     """Return `obstacle 4.2 s` while the contact lasts; afterwards in the past tense."""
     if state.is_old(robot, "obstacle"):
-        return f"contact for {duration(contact.value)}, {age(state.now - contact.at)} ago"
-    return f"obstacle {duration(contact.value)}"
+        return Message(
+            "contact for {duration}, {age} ago",
+            duration=duration(contact.value),
+            age=age(state.now - contact.at),
+        )
+    return Message("obstacle {duration}", duration=duration(contact.value))
 
 
 def behind_text(state: FleetState) -> str:
     """Return the text of this console's delay."""
-    return f"this console is {duration(state.behind)} behind"
+    return Message("this console is {duration} behind", duration=duration(state.behind))

@@ -5,6 +5,8 @@ from math import inf
 
 from msgspec import Struct, field
 
+from fleet_tui.text.language import Message
+
 ORDER = "order"
 ORDER_TO = "order to"
 CANCEL = "cancel"
@@ -112,11 +114,13 @@ class Kind(Struct, frozen=True):
         if asked in self.withheld:
             return f"{self.withheld[asked]}: no {'orders' if asked in (ORDER, ORDER_TO) else noun_of(asked)}"
         if asked in self.unset:
-            return f"{self.unset[asked]} is empty: no {noun_of(asked)}"
+            return Message(
+                "{unset} is empty: no {noun_of}", unset=self.unset[asked], noun_of=Message(noun_of(asked))
+            )
         noun = noun_of(asked)
         if asked in (ORDER, ORDER_TO) and not self.can(ORDER):
             noun = "orders"
-        return f"this kind has no {noun}"
+        return Message("this kind has no {noun}", noun=Message(noun))
 
     @property
     def brings_cargo(self) -> bool:

@@ -5,6 +5,8 @@ from enum import Enum
 
 from msgspec import Struct, field
 
+from fleet_tui.text.language import Message
+
 
 class Phase(Enum):
     """The phase of a connection for telemetry."""
@@ -106,7 +108,11 @@ class LinkState(Struct, frozen=True):
 
     def refusal_of(self, name: str) -> str:
         """Return that the bridge drops calls of a service, or goals of an action; empty if none is known."""
-        return f"the bridge does not allow it ({self.barred[name]})" if name in self.barred else ""
+        return (
+            Message("the bridge does not allow it ({barred})", barred=self.barred[name])
+            if name in self.barred
+            else ""
+        )
 
     @property
     def is_starting(self) -> bool:

@@ -6,6 +6,7 @@ from msgspec import Struct
 
 from fleet_tui.model.order import OrderState, Stop
 from fleet_tui.model.set_up.driving import Speeds
+from fleet_tui.text.language import Message
 from fleet_tui.text.units import duration
 
 
@@ -103,5 +104,5 @@ class Blocked(Struct, frozen=True):
 def blocked_text(blocked: Blocked, now: float) -> str:
     """Return the text of a robot held back, with the seconds since this console's first message of it."""
     if blocked.is_stopped:
-        return f"blocked {duration(now - blocked.since)} (seen)"
-    return f"slowed by its collision monitor ({blocked.action})"
+        return Message("blocked {duration} (seen)", duration=duration(now - blocked.since))
+    return Message("slowed by its collision monitor ({action})", action=blocked.action)

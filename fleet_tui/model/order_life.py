@@ -13,6 +13,7 @@ from msgspec.structs import replace
 
 from fleet_tui.model.commands import ORDER_ENDS, Stage
 from fleet_tui.model.order import BEGUN, Order, OrderQueue, OrderState
+from fleet_tui.text.language import Message
 from fleet_tui.text.units import age
 
 ARRIVES = 2.0
@@ -157,8 +158,8 @@ def _unlisted_end(trace: OrderTrace, last_listed: float | None, at: float, away:
     if trace.was_driven(last_listed):
         return Stage.DONE, "driven to the end"
     if last_listed is not None and at - last_listed > BLIND_AFTER:
-        blind = f"left the queue while no queue was received for {age(at - last_listed)}"
-        return Stage.LOST, f"{blind}: may have been completed"
+        blind = Message("left the queue while no queue was received for {age}", age=age(at - last_listed))
+        return Stage.LOST, Message("{blind}: may have been completed", blind=Message(blind))
     if not trace.begun:
         return Stage.LEFT, "not by this console, before it started"
     seen = away(trace.order)
@@ -166,10 +167,14 @@ def _unlisted_end(trace: OrderTrace, last_listed: float | None, at: float, away:
         return Stage.DONE, "left the queue after it started"
     metres, seen_at = seen
     if at - seen_at > BLIND_AFTER:
-        blind = f"left the queue while no pose was received for {age(at - seen_at)}"
-        return Stage.LOST, f"{blind}: may have been completed"
-    where = "on another floor" if metres == math.inf else f"{metres:.0f} m from its end"
-    return Stage.LEFT, f"not by this console, with the robot {where}"
+        blind = Message("left the queue while no pose was received for {age}", age=age(at - seen_at))
+        return Stage.LOST, Message("{blind}: may have been completed", blind=Message(blind))
+    where = (
+        "on another floor"
+        if metres == math.inf
+        else Message("{metres} m from its end", metres=f"{metres:.0f}")
+    )
+    return Stage.LEFT, Message("not by this console, with the robot {where}", where=Message(where))
 
 
 UNSAID = "as reported by the robot"

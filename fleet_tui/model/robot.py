@@ -16,6 +16,7 @@ from fleet_tui.model.navigation import STOPS_WITHIN, Blocked, Goal, Progress, Re
 from fleet_tui.model.order import Order, OrderQueue, route_text
 from fleet_tui.model.order_life import GoneOrder, OrderTrace
 from fleet_tui.model.vehicles.vehicle import CurrentAction, Vehicle, VehicleConnection, VehicleFeatures
+from fleet_tui.text.language import Message
 from fleet_tui.text.limits import truncate
 
 T = TypeVar("T")
@@ -222,7 +223,7 @@ class Robot(Struct, frozen=True, eq=False):
     def order_text(self, order: Order) -> str:
         """Return an order by its stops, by its id if they are unknown."""
         stops = route_text(order.stops, lambda id_: self.name_of(id_) or id_) if order.stops else ""
-        return f"order {order.label or stops or order.id}"
+        return Message("order {label}", label=order.label or stops or order.id)
 
     def knows_all_graphs(self) -> bool:
         """Tell whether every floor's graph has arrived, so that a vertex in none of them does not exist."""

@@ -6,6 +6,8 @@ from enum import IntEnum
 
 from msgspec import Struct
 
+from fleet_tui.text.language import Message
+
 
 class Severity(IntEnum):
     """The severity of a line of the log."""
@@ -67,7 +69,11 @@ _CODED = re.compile(r"error_code:\s*(?P<code>\d+)\s+error_msg:\s*(?P<text>.*\w)"
 def plain(text: str) -> str:
     """Return a line of the log as one says it: the message first, then its code."""
     coded = _CODED.search(text)
-    return f"{coded['text']} (error {coded['code']})" if coded else text.strip().rstrip(".")
+    return (
+        Message("{coded} (error {coded2})", coded=coded["text"], coded2=coded["code"])
+        if coded
+        else text.strip().rstrip(".")
+    )
 
 
 _OF_BRIDGE = re.compile(r"(?:^|[/.])(?:rosbridge|rosapi)\w*$")

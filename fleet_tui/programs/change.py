@@ -24,6 +24,7 @@ from fleet_tui.programs.look import look
 from fleet_tui.programs.process import EndedProcess, run
 from fleet_tui.programs.reasons import SSH_FAILED, failure
 from fleet_tui.programs.session_state import stop_session
+from fleet_tui.text.language import Message
 
 START, STOP, RESTART = VERBS = ("start", "stop", "restart")
 WITHIN = 30.0
@@ -46,7 +47,7 @@ async def change(program: ProgramEntry, verb: str, folder: Path, within: float =
     for one in verbs:
         before = await look(program, folder)
         if _is_so(one, before):
-            outcome = ChangeOutcome(CONFIRMED, f"already {before.state.value}")
+            outcome = ChangeOutcome(CONFIRMED, Message("already {value}", value=Message(before.state.value)))
             continue
         outcome = await _change(program, one, folder, before, until)
         if not outcome.is_confirmed:
@@ -104,7 +105,7 @@ async def _outcome(
         if verb == STOP and now.state in ENDED:
             return ChangeOutcome(CONFIRMED, now.detail if now.state is ProgramState.FAILED else "")
         if verb != STOP and now.state is ProgramState.FAILED and (is_new or before.state is not now.state):
-            return ChangeOutcome(FAILED, f"{now.detail}: see its log")
+            return ChangeOutcome(FAILED, Message("{detail}: see its log", detail=Message(now.detail)))
         if now.state is not ProgramState.RUNNING or (verb == RESTART and now.instance and not is_new):
             steady = None
         elif steady is None or steady[0] != now.instance:
@@ -112,5 +113,8 @@ async def _outcome(
         elif verb != STOP and time.monotonic() - steady[1] >= STEADY:
             return ChangeOutcome(CONFIRMED)
         if time.monotonic() >= until:
-            return ChangeOutcome(NOT_CONFIRMED, " ".join((f"is {now.state.value}", now.detail)).strip())
+            return ChangeOutcome(
+                NOT_CONFIRMED,
+                " ".join((Message("is {value}", value=Message(now.state.value)), now.detail)).strip(),
+            )
         await asyncio.sleep(LOOK_EVERY)

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from fleet_tui.programs.process import exit_code, not_started, running
 from fleet_tui.programs.session_state import exit_text
+from fleet_tui.text.language import Message
 
 MOST_LINES = 2000
 LONGEST_LINE = 1000
@@ -39,7 +40,7 @@ class LogTail:
                 self.put(b"\n" if self._rest else b"")
                 code = await exit_code(process)
                 self.has_ended_well = code == 0
-                self.note = f"the log ended: {exit_text(code)}"
+                self.note = Message("the log ended: {exit_text}", exit_text=exit_text(code))
         except (OSError, ValueError) as problem:
             self.note = not_started(arguments[0], problem)
 

@@ -14,6 +14,7 @@ from fleet_tui.programs import arguments
 from fleet_tui.programs.process import EndedProcess, run
 from fleet_tui.programs.reasons import NOT_FOUND, SSH_FAILED, failure, has_no_systemd, last_line
 from fleet_tui.programs.session_state import session_status
+from fleet_tui.text.language import Message
 from fleet_tui.text.limits import truncate
 
 LOOK_WITHIN = 8.0
@@ -89,7 +90,11 @@ def unit_status(output: str, unit: str, at: float) -> ProgramStatus | None:
     if state is None:
         return None
     if found.get("LoadState") == "not-found" and state is ProgramState.STOPPED:
-        return ProgramStatus(ProgramState.UNKNOWN, at, detail=f"no unit {unit}: check its name, and `user`")
+        return ProgramStatus(
+            ProgramState.UNKNOWN,
+            at,
+            detail=Message("no unit {unit}: check its name, and `user`", unit=Message(unit)),
+        )
     return ProgramStatus(
         state,
         at,
@@ -106,7 +111,7 @@ def _detail(state: ProgramState, found: Mapping[str, str]) -> str:
         result = found.get("Result", "")
         return truncate(_RESULTS.get(result, result).replace("{status}", found.get("ExecMainStatus", "?")))
     if found.get("LoadState") in ("masked", "bad-setting", "error"):
-        return f"its unit file is {found['LoadState']}"
+        return Message("its unit file is {found}", found=found["LoadState"])
     sub = found.get("SubState", "")
     return truncate(sub) if sub in ("auto-restart", "exited", "start-pre", "stop-sigterm") else ""
 

@@ -14,6 +14,7 @@ from fleet_tui.model.alarm import Alarm, AlarmStage, Key, class_of
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.programs.process import EndedProcess, run
 from fleet_tui.storage.write_queue import WriteQueue
+from fleet_tui.text.language import Message
 from fleet_tui.text.sanitize import sanitize
 
 LOG = logging.getLogger(__name__)
@@ -117,6 +118,16 @@ def _failure(program: str, ended: EndedProcess) -> str:
     """Return the failure of a run as the operator reads it, empty if it went well."""
     if ended.code is None:
         return (
-            f"notify: {ended.problem}" if program in ended.problem else f"notify: {program}: {ended.problem}"
+            Message("notify: {problem}", problem=Message(ended.problem))
+            if program in ended.problem
+            else Message("notify: {program}: {problem}", program=program, problem=Message(ended.problem))
         )
-    return f"notify: {program} ended with exit status {ended.code}: see the log file" if ended.code else ""
+    return (
+        Message(
+            "notify: {program} ended with exit status {code}: see the log file",
+            program=program,
+            code=ended.code,
+        )
+        if ended.code
+        else ""
+    )

@@ -10,6 +10,8 @@ from pathlib import Path
 
 from msgspec import Struct
 
+from fleet_tui.text.language import Message
+
 LARGEST = 256 * 1024
 """Bytes of output after which a process that should be brief is ended."""
 DRAIN = 0.2
@@ -82,11 +84,21 @@ async def run(
             finally:
                 reading.cancel()
     except TimeoutError:
-        return EndedProcess(None, _text(output), f"no answer within {within:.0f} s", is_late=True)
+        return EndedProcess(
+            None, _text(output), Message("no answer within {within} s", within=f"{within:.0f}"), is_late=True
+        )
     except (OSError, ValueError) as problem:
         return EndedProcess(None, "", not_started(arguments[0], problem))
     if len(output) >= LARGEST:
-        return EndedProcess(None, "", f"{arguments[0]}: stopped after {LARGEST // 1024} kB of output")
+        return EndedProcess(
+            None,
+            "",
+            Message(
+                "{arguments}: stopped after {LARGEST} kB of output",
+                arguments=arguments[0],
+                LARGEST=LARGEST // 1024,
+            ),
+        )
     return EndedProcess(code, _text(output))
 
 
@@ -104,9 +116,11 @@ async def exit_code(process: Process) -> int:
 def not_started(program: str, problem: Exception) -> str:
     """Return the reason that a process could not be started, with its remedy."""
     if isinstance(problem, FileNotFoundError):
-        return f"{program}: not found: install it, or write its full path in the configuration"
+        return Message(
+            "{program}: not found: install it, or write its full path in the configuration", program=program
+        )
     if isinstance(problem, PermissionError):
-        return f"{program}: not executable by this user: check its mode and owner"
+        return Message("{program}: not executable by this user: check its mode and owner", program=program)
     return f"{program}: {getattr(problem, 'strerror', None) or problem}"
 
 

@@ -5,6 +5,7 @@ from collections.abc import Mapping
 from fleet_tui.config.programs import ProgramEntry
 from fleet_tui.programs.process import EndedProcess
 from fleet_tui.programs.session_state import exit_text
+from fleet_tui.text.language import Message
 from fleet_tui.text.limits import truncate
 from fleet_tui.text.sanitize import sanitize
 
@@ -32,8 +33,8 @@ _OF_SHELL = {"not found": "{last}: install it there, or write its full path in t
 def failure(program: ProgramEntry, ended: EndedProcess) -> str:
     """Return the reason that a process failed, and what to do."""
     if ended.problem:
-        where = f" from {program.host}" if program.host and ended.is_late else ""
-        return ended.problem.replace("no answer", f"no answer{where}")
+        where = Message(" from {host}", host=program.host) if program.host and ended.is_late else ""
+        return ended.problem.replace("no answer", Message("no answer{where}", where=Message(where)))
     last = last_line(ended.output)
     for words, remedy in _remedies(program, ended).items():
         if words in ended.output:

@@ -18,6 +18,7 @@ from typing import IO
 
 from fleet_tui.storage.handles import open_private
 from fleet_tui.storage.lock import lock
+from fleet_tui.text.language import Message
 
 FILE_SUFFIX = ".session"
 LOG_SUFFIX = ".log"
@@ -58,7 +59,14 @@ def _keep(file: int, writer: int, log: Path, command: Sequence[str]) -> None:
             command, stdin=subprocess.DEVNULL, stdout=out, stderr=subprocess.STDOUT, process_group=0
         )
     except OSError as problem:
-        os.write(writer, f"{command[0]}: {problem.strerror}: check `start` in [[programs]]".encode())
+        os.write(
+            writer,
+            Message(
+                "{command}: {strerror}: check `start` in [[programs]]",
+                command=command[0],
+                strerror=problem.strerror,
+            ).encode(),
+        )
         return
     instance = f"{child.pid}-{time.time_ns()}"
     stopped = _stop_on_signal(child)

@@ -10,6 +10,7 @@ from fleet_tui.model.programs.program import ProgramState, ProgramStatus
 from fleet_tui.programs.session import FILE_SUFFIX, RECORD
 from fleet_tui.storage.handles import open_private
 from fleet_tui.storage.lock import is_locked
+from fleet_tui.text.language import Message
 
 
 class SessionRecord(msgspec.Struct, frozen=True):
@@ -39,7 +40,11 @@ def session_status(folder: Path, name: str, at: float) -> ProgramStatus:
 
 def exit_text(code: int) -> str:
     """Return an exit code in words; a negative one is a signal."""
-    return f"killed by signal {-code}" if code < 0 else f"exit status {code}"
+    return (
+        Message("killed by signal {code}", code=-code)
+        if code < 0
+        else Message("exit status {code}", code=code)
+    )
 
 
 def stop_session(folder: Path, name: str) -> str:
@@ -50,7 +55,7 @@ def stop_session(folder: Path, name: str) -> str:
     try:
         os.kill(record.pid, signal.SIGTERM)
     except OSError as problem:
-        return f"can't be stopped: {problem.strerror}"
+        return Message("can't be stopped: {strerror}", strerror=problem.strerror)
     return ""
 
 

@@ -15,6 +15,7 @@ from fleet_tui.recording.part_files import PartLimits, parts_beside
 from fleet_tui.recording.recorder import Recorder
 from fleet_tui.recording.taps import Taps
 from fleet_tui.state.store import Store
+from fleet_tui.text.language import Message
 from fleet_tui.text.units import age
 
 LOG = logging.getLogger(__name__)
@@ -101,8 +102,16 @@ class Recordings:
             return "no recording running"
         lasted = age(time.monotonic() - recorder.began)
         self.taps.detach(recorder)
-        lost = f", incomplete: {recorder.problem}" if recorder.problem else ""
-        return f"recorded {lasted}, {recorder.size / 1e6:.1f} MB{lost}: {recorder.path}"
+        lost = (
+            Message(", incomplete: {problem}", problem=Message(recorder.problem)) if recorder.problem else ""
+        )
+        return Message(
+            "recorded {lasted}, {size} MB{lost}: {path}",
+            lasted=lasted,
+            size=f"{recorder.size / 1000000.0:.1f}",
+            lost=lost,
+            path=recorder.path,
+        )
 
     def notes(self) -> list[str]:
         """Return notes: that it records, and any failures."""
@@ -110,7 +119,7 @@ class Recordings:
         if self._recorder is not None:
             problem = self._recorder.problem
             lasts = age(time.monotonic() - self._recorder.began)
-            found.append(f"rec: not written: {problem}" if problem else f"rec {lasts}")
+            found.append(f"rec: not written: {problem}" if problem else Message("rec {lasts}", lasts=lasts))
         problem = self._recent.problem if self._recent else self._problem
         return [*found, f"last minutes not kept: {problem}"] if problem else found
 

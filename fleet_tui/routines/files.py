@@ -12,6 +12,7 @@ from fleet_tui.config.withholding import or_trusted
 from fleet_tui.errors import RoutineError, did_you_mean
 from fleet_tui.model.routines.blocks import ParsedRoutine
 from fleet_tui.rules.routines.parsing import parse_routine
+from fleet_tui.text.language import Message
 
 SUFFIX = ".routine"
 LARGEST = 100_000
@@ -52,7 +53,7 @@ def read_routine(folder: Path, name: str) -> RoutineFile:
         text = read_text(path, LARGEST)
     except FileNotFoundError:
         others = [one for one in routine_names(folder) if one != name]  # a broken link has this very name
-        near = did_you_mean(name, others) or f": create {path}"
+        near = did_you_mean(name, others) or Message(": create {path}", path=path)
         raise RoutineError(f"unknown routine {name!r}{near}") from None
     except UnicodeDecodeError:
         raise RoutineError(f"{path}: not UTF-8 text: save it as UTF-8") from None

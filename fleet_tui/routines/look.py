@@ -14,6 +14,7 @@ from fleet_tui.routines.owner import owner_of
 from fleet_tui.routines.progress import RoutineProgress, load_progress, progress_path
 from fleet_tui.rules.language.words import find_robot
 from fleet_tui.rules.routines.positions import fits
+from fleet_tui.text.language import Message
 from fleet_tui.text.units import counted
 
 
@@ -73,7 +74,11 @@ def _row(place: RoutinePlace, state: FleetState, name: str) -> RoutineRow:
 def _problem(file: RoutineFile) -> str:
     found = file.parsed.problems
     more = f", and {counted(len(found) - 1, 'more problem')}" if len(found) > 1 else ""
-    return f"line {found[0].line}: {found[0].text}{more}" if found else ""
+    return (
+        Message("line {line}: {text}{more}", line=found[0].line, text=Message(found[0].text), more=more)
+        if found
+        else ""
+    )
 
 
 def _owner(place: RoutinePlace, state: FleetState, progress: RoutineProgress | None) -> str:

@@ -13,6 +13,7 @@ from fleet_tui.model.routines.blocks import RunBlock
 from fleet_tui.model.routines.lane import ProgramEnded
 from fleet_tui.programs.process import EndedProcess, run
 from fleet_tui.programs.session_state import exit_text
+from fleet_tui.text.language import Message
 from fleet_tui.text.limits import truncate
 from fleet_tui.text.sanitize import sanitize
 
@@ -41,8 +42,14 @@ def program_problem(folder: Path, arguments: Sequence[str]) -> str:
     if program_path(folder, word):
         return doubt_of_command(arguments, folder)
     if "\0" not in word and (folder / word).is_file():
-        return f"{word}: not executable by this user: run chmod +x {folder / word}"
-    return f"{truncate(word, 80)}: not found in {folder}, nor on PATH: correct the name"
+        return Message(
+            "{word}: not executable by this user: run chmod +x {folder}", word=word, folder=folder / word
+        )
+    return Message(
+        "{truncate}: not found in {folder}, nor on PATH: correct the name",
+        truncate=truncate(word, 80),
+        folder=folder,
+    )
 
 
 class ProgramRun:
@@ -90,7 +97,7 @@ def _outcome(process: EndedProcess, within: float) -> ProgramEnded:
     lines = [line for line in process.output.splitlines() if line.strip()]
     last = truncate(sanitize(lines[-1].strip()), LONGEST_END) if lines else ""
     if process.is_late:
-        reason = f"not ended within {within:.0f} s"
+        reason: str = Message("not ended within {within} s", within=f"{within:.0f}")
     else:
         reason = process.problem or ("" if process.code is None else exit_text(process.code))
     return ProgramEnded(process.code == 0, f"{reason}: {last}" if last else reason)

@@ -40,6 +40,7 @@ from fleet_tui.rules.routines.orders import earlier_outcome, order_of, outcome_o
 from fleet_tui.rules.routines.positions import fits
 from fleet_tui.rules.routines.stepping import step
 from fleet_tui.state.store import Store
+from fleet_tui.text.language import Message
 
 Give = Callable[[Request], OrderEnded | OrderWithheld | None]
 """Checks and sends the single command of a request. Returns the objection, None if it was sent."""
@@ -187,7 +188,7 @@ class RoutineRun:
         # The audit log has orders and programs already; a skip is the decision of a person.
         if not note.line or note.change == SKIPPED:
             said = ": ".join(part for part in (f"{self.file.name} {robot}", note.text, note.detail) if part)
-            self._parts.log(f"routine {note.change}", said)
+            self._parts.log(Message("routine {change}", change=note.change), said)
 
     def _save(self) -> None:
         """Keep the progress if it has changed."""

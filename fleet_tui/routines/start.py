@@ -14,6 +14,7 @@ from fleet_tui.routines.look import RoutinePlace, plans_of
 from fleet_tui.routines.programs import program_problem
 from fleet_tui.rules.routines.checking import check_routine
 from fleet_tui.rules.routines.timeline import TimelineEntry, timeline
+from fleet_tui.text.language import Message
 from fleet_tui.text.limits import some
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.routines.lines import problem_line, timeline_lines, timeline_totals
@@ -35,11 +36,18 @@ class Examined(Struct, frozen=True):
     def question(self, is_left: bool) -> str:
         """Return the question before it starts, or continues where it left off."""
         assert self.file is not None
-        robots = sanitize(f"{self.file.name} with {some(self.robots)}")
+        robots = sanitize(Message("{name} with {some}", name=self.file.name, some=some(self.robots)))
         if is_left:
-            return f"Continue {robots}? It is held until it is resumed; orders that still run are followed."
-        more = [f"and {len(self.totals) - SHOWN} more robots"] if len(self.totals) > SHOWN else []
-        return "\n".join([f"Start {robots}?", *self.totals[:SHOWN], *more])
+            return Message(
+                "Continue {robots}? It is held until it is resumed; orders that still run are followed.",
+                robots=robots,
+            )
+        more = (
+            [Message("and {totals} more robots", totals=len(self.totals) - SHOWN)]
+            if len(self.totals) > SHOWN
+            else []
+        )
+        return "\n".join([Message("Start {robots}?", robots=robots), *self.totals[:SHOWN], *more])
 
 
 def problems_of(state: FleetState, file: RoutineFile) -> list[RoutineProblem]:

@@ -9,7 +9,7 @@ from textual.widgets import Input
 
 from fleet_tui.documentation import headings, pages, subject
 from fleet_tui.screens.overlay import Overlay
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import Message, tr
 from fleet_tui.view.help.layout import help_lines
 from fleet_tui.view.help.pages import Pages, tabs
 from fleet_tui.view.help.section import HelpRow, HelpSection, search
@@ -29,7 +29,9 @@ def _documentation() -> HelpSection:
     """Return the pages of the documentation, found by their subjects and headings."""
     texts = {name: path.read_text(encoding="utf-8") for name, path in pages().items()}
     rows = [
-        HelpRow(((f"fleet-tui docs {name}", StyleRole.KEY),), subject(text), headings(text))
+        HelpRow(
+            ((Message("fleet-tui docs {name}", name=name), StyleRole.KEY),), subject(text), headings(text)
+        )
         for name, text in texts.items()
         if name != "index"
     ]

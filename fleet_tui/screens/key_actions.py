@@ -26,6 +26,7 @@ from fleet_tui.rules.battery.charging import has_low_battery
 from fleet_tui.rules.marks import numbered
 from fleet_tui.screens.driving import after_a_drive, drive_actions
 from fleet_tui.terminal.lean_app import LeanApp
+from fleet_tui.text.language import Message
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.help.pages import help_pages
 from fleet_tui.view.lines.hints import hidden_keys
@@ -80,7 +81,7 @@ def _say_quit(screen: "MainScreen") -> None:
     """Name the key that quits: Ctrl-C and Ctrl-Q are pressed by those who look for it."""
     quit_key = "".join(key_name(key) for key in screen.settings.keys["quit"][:1])
     screen.notices.say(
-        f"{quit_key} quits; Esc first where something is open"
+        Message("{quit_key} quits; Esc first where something is open", quit_key=quit_key)
         if quit_key
         else "no key quits: type quit after :"
     )
@@ -171,7 +172,9 @@ def _all_orders(screen: "MainScreen") -> None:
 
 def _choose_robot(screen: "MainScreen", number: int) -> None:
     if (robot := numbered(screen.store.state, number)) is None:
-        screen.notices.hint(f"no robot has the number {number}: the fleet's column # shows them")
+        screen.notices.hint(
+            Message("no robot has the number {number}: the fleet's column # shows them", number=number)
+        )
     else:
         screen.navigation.select(robot.name)
 

@@ -28,6 +28,7 @@ from fleet_tui.screens.overlay import Overlay
 from fleet_tui.screens.robot.overlay import RobotOverlay
 from fleet_tui.screens.tables.newest import NewestRows
 from fleet_tui.state.store import Store
+from fleet_tui.text.language import Message
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.commands import message_line
 from fleet_tui.view.lines.hints import hidden_keys, idle_hints, other_alarmed, unoffered_keys
@@ -159,13 +160,15 @@ class MainScreen(Screen[None]):
         if added := robots[len(self._robots) :]:
             self._robots = robots
             names = ", ".join(added) if len(added) <= MOST_NAMED else str(len(added))
-            self.notices.note(sanitize(f"added, as they appeared on the broker: {names}"))
+            self.notices.note(
+                sanitize(Message("added, as they appeared on the broker: {names}", names=names))
+            )
 
     def tell_dropped(self, count: int, stood_still: bool) -> None:
         """Say how many keys were dropped because they were typed for another place."""
         keys = f"{count} key{'s' * (count != 1)} dropped"
         why = "typed while nothing could be shown" if stood_still else "typed on after Enter"
-        self.notices.say(f"{keys}, {why}: Esc ends this, F12 pauses all")
+        self.notices.say(Message("{keys}, {why}: Esc ends this, F12 pauses all", keys=keys, why=Message(why)))
 
     def show_rows(self, pane: RowsPane, sought: str = "") -> None:
         """Show the newest rows of a pane, the cursor on the best one sought, else on the selected robot."""

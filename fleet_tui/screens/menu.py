@@ -13,7 +13,7 @@ from textual.widgets import Input, OptionList, Static
 from fleet_tui.controllers.typed import Entry
 from fleet_tui.rules.language.ranking import rank
 from fleet_tui.screens.overlay import Dialog
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import Message, tr
 from fleet_tui.widgets.field import Field
 from fleet_tui.widgets.matches import Matches
 
@@ -28,7 +28,7 @@ class Menu(Dialog):
         ("escape,q", "close", "Close"),
         ("j", "step(1)", "Down"),
         ("k", "step(-1)", "Up"),
-        *((str(n), f"choose({n})", f"Entry {n}") for n in range(1, NUMBERED + 1)),
+        *((str(n), f"choose({n})", Message("Entry {n}", n=n)) for n in range(1, NUMBERED + 1)),
     ]
 
     def __init__(self, *, id: str) -> None:

@@ -3,6 +3,8 @@
 import base64
 import os
 
+from fleet_tui.text.language import Message
+
 
 def clipboard(text: str) -> str:
     """Return the bytes that put a text into the terminal's clipboard."""
@@ -12,4 +14,4 @@ def clipboard(text: str) -> str:
 def copied_text(what: str) -> str:
     """Return the notice of a copy, with what tmux needs for it."""
     tmux = " (tmux needs: set -s set-clipboard on)" if "TMUX" in os.environ else ""
-    return f"copied to the clipboard{tmux}: {what}"
+    return Message("copied to the clipboard{tmux}: {what}", tmux=Message(tmux), what=Message(what))

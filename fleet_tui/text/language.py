@@ -25,10 +25,12 @@ _TEXTS = (
 TEXTS = frozenset(_TEXTS.split(" "))
 """Places whose values are texts of the console, and translated, too; those of all others stay as they are:
 names, paths, figures, and what robots say."""
+_NUMBER = r"[-\d.,]+"
+_DURATION = r"[\d.]+ \w+|never"
 _COUNTS = ("alarms", "count", "edges", "faults", "fresh", "marks", "metres", "orders", "placed", "vertices")
 FIGURES = {
-    **dict.fromkeys((*_COUNTS, "waiting"), r"[-\d.,]+"),
-    **dict.fromkeys(("age", "duration", "lasted"), r"[\d.]+ \w+|never"),
+    **dict.fromkeys((*_COUNTS, "waiting"), _NUMBER),
+    **dict.fromkeys(("age", "duration", "lasted"), _DURATION),
     **dict.fromkeys(("path", "id", "order", "order_id"), r"\S+?"),
     "name": r"\S+",
     "mission": r"order .*|.* -> .*",
@@ -44,8 +46,8 @@ FIGURES = {
 PER_CENT = r"[-\d.]+"
 """The expression for a value before a per cent sign."""
 FEW = 5
-"""Letters of its own below which a message fits nearly everything: its values are two words at most then, or
-a text of the console."""
+"""Letters of its own below which a message fits nearly everything, `{name} to {place}`: unless all its values
+are figures, a text is never taken for it by its looks."""
 REMEMBERED = 8192
 """Texts with their translations: the screen asks for the same ones ten times a second."""
 LONGEST = 300
@@ -72,6 +74,9 @@ class Message(str):
         made.values = values
         return made
 
+    def __add__(self, other: str) -> "Message":
+        return Message("{text}{rest}", text=self, rest=other)
+
 
 def in_english(value: object) -> str:
     """Return a message as msgspec has to write it: its hook for what it does not know."""
@@ -81,13 +86,11 @@ def in_english(value: object) -> str:
 
 
 class MessagePattern(Struct, frozen=True):
-    """A message with places: the longest text between them, all of it as an expression, its translation;
-    `fits_all`: it has few letters of its own."""
+    """A message with places: the longest text between them, all of it as an expression, its translation."""
 
     part: str
     expression: re.Pattern[str]
     translation: str
-    fits_all: bool
 
 
 class Catalogue:
@@ -96,7 +99,7 @@ class Catalogue:
     def __init__(self, messages: Mapping[str, str]) -> None:
         self._messages = messages
         self._plain = {msgid: text for msgid, text in messages.items() if not _PLACE.search(msgid)}
-        placed = sorted((msgid for msgid in messages if msgid not in self._plain), key=_freedom)
+        placed = sorted(filter(is_guessed, messages.keys() - self._plain.keys()), key=_freedom)
         self._placed = [_pattern(msgid, messages[msgid]) for msgid in placed]
         self._remembered = lru_cache(REMEMBERED)(self._translated)
 
@@ -105,9 +108,9 @@ class Catalogue:
         if not isinstance(text, Message):
             return self._remembered(text)
         msgid = text.id.strip()
-        translation = text.id.replace(msgid, self._messages.get(msgid, msgid), 1)
         if not text.values:
-            return translation
+            return self._remembered(text.id)
+        translation = text.id.replace(msgid, self._messages.get(msgid, msgid), 1)
         return translation.format_map(
             {
                 name: self.translated(value) if isinstance(value, Message) else value
@@ -142,8 +145,6 @@ class Catalogue:
             if message.part in told and (match := message.expression.fullmatch(told)):
                 values = match.groupdict()
                 texts = {name: self.translated(values[name]) for name in TEXTS & values.keys()}
-                if message.fits_all and any(texts[name] == values[name] for name in texts if values[name]):
-                    continue
                 return message.translation.format_map(values | texts)
         return ""
 
@@ -156,22 +157,25 @@ def _freedom(msgid: str) -> tuple[int, int, int]:
     return -len(letters), len(names), -sum(name in FIGURES or name in TEXTS for name in names)
 
 
+def is_guessed(msgid: str) -> bool:
+    """Tell whether a text that is no message may be taken for this one, by its looks."""
+    is_of_figures = all(FIGURES.get(name) in (_NUMBER, _DURATION) for name in _PLACE.findall(msgid))
+    return is_of_figures or sum(map(str.isalpha, _PLACE.sub("", msgid))) >= FEW
+
+
 def _pattern(msgid: str, translation: str) -> MessagePattern:
     parts = _PLACE.split(msgid)  # texts and names in turn
-    fits_all = sum(map(str.isalpha, "".join(parts[::2]))) < FEW
     made = [re.escape(part) for part in parts]
     made[1::2] = [
-        f"(?P<{name}>{PER_CENT if after.startswith(' %') else _value(name, fits_all)})"
+        f"(?P<{name}>{PER_CENT if after.startswith(' %') else _value(name)})"
         for name, after in zip(parts[1::2], parts[2::2], strict=True)
     ]
-    return MessagePattern(max(parts[::2], key=len), re.compile("".join(made)), translation, fits_all)
+    return MessagePattern(max(parts[::2], key=len), re.compile("".join(made)), translation)
 
 
-def _value(name: str, is_short: bool) -> str:
+def _value(name: str) -> str:
     if name in FIGURES:
         return FIGURES[name]
-    if is_short and name not in TEXTS:
-        return r"\S*(?: \S+)?"
     return r"[^:,]*?" if name in ("name", "robot") else ".*?"
 
 

@@ -2,6 +2,8 @@
 
 from collections.abc import Sequence
 
+from fleet_tui.text.language import Message
+
 LONGEST_NAME = 200
 """Maximum characters of a label, a status or a frame id."""
 LONGEST_WORDS = 500
@@ -20,12 +22,25 @@ MOST_FRAMES = 1000
 
 def truncate(text: str, longest: int = LONGEST_WORDS) -> str:
     """Return `text`, or its beginning with its total length."""
-    return text if len(text) <= longest else f"{text[:longest]}… ({len(text):,} characters)"
+    return (
+        text
+        if len(text) <= longest
+        else Message("{text}… ({text2} characters)", text=Message(text[:longest]), text2=f"{len(text):,}")
+    )
 
 
 def too_many(count: int, most: int, what: str) -> str:
     """Return the message on a list that is too long, empty if it isn't."""
-    return f"{count:,} {what}: only the first {most:,} used" if count > most else ""
+    return (
+        Message(
+            "{count} {what}: only the first {most} used",
+            count=f"{count:,}",
+            what=Message(what),
+            most=f"{most:,}",
+        )
+        if count > most
+        else ""
+    )
 
 
 def some(names: Sequence[str]) -> str:

@@ -2,6 +2,8 @@
 
 import math
 
+from fleet_tui.text.language import Message
+
 
 def age(seconds: float) -> str:
     """Return the text of a duration in seconds: `4 s`, `3 min`, `2 h`; `never` for an infinite one. Minutes
@@ -30,7 +32,7 @@ def ago(at: float | None, now: float) -> str:
     """Return the age of an event, `never` if there was none."""
     if at is None:
         return "never"
-    return f"{duration(now - at)} ago"
+    return Message("{duration} ago", duration=duration(now - at))
 
 
 def milliseconds(seconds: float) -> str:

@@ -6,6 +6,7 @@ import ssl
 
 from fleet_tui.config.schema import Link
 from fleet_tui.errors import FleetError
+from fleet_tui.text.language import Message
 
 DROPS = "connection dropped at once:"
 
@@ -53,7 +54,7 @@ def _untrusted(problem: ssl.SSLCertVerificationError, bridge: Link) -> str:
         case 62 | 64:
             return "certificate for another name: correct url"
     own = "not signed by ca_file" if bridge.ca_file else "set ca_file to its issuer"
-    return f"certificate not trusted: {own}"
+    return Message("certificate not trusted: {own}", own=own)
 
 
 def tls_problem(problem: ssl.SSLError, bridge: Link) -> str:
@@ -63,4 +64,4 @@ def tls_problem(problem: ssl.SSLError, bridge: Link) -> str:
         return "client certificate required: set client_cert, client_key"
     if "version_number" in words or "record layer" in words or "http_request" in words:
         return f"no TLS on this port: {_without_tls(bridge)}"
-    return f"TLS: {(problem.reason or 'error').lower().replace('_', ' ')}"
+    return Message("TLS: {replace}", replace=(problem.reason or "error").lower().replace("_", " "))

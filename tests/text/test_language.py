@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from fleet_tui.text.language import LONGEST, Catalogue, read_catalogue, speak, tr
+from fleet_tui.text.language import LONGEST, Catalogue, Message, read_catalogue, speak, tr
 
 MESSAGES = {
     "no link": "keine Verbindung",
@@ -41,7 +41,10 @@ def test_one_and_many_are_two_messages() -> None:
 
 def test_values_go_where_the_language_has_them() -> None:
     assert tr("3 min ago") == "vor 3 min"
-    assert tr("2 of 5 paused") == "5: davon 2 pausiert"
+    assert (
+        tr("{stopped} of {able} {PAUSED}", stopped=2, able=5, PAUSED=Message("paused"))
+        == "5: davon 2 pausiert"
+    )
 
 
 def test_a_reason_within_a_text_is_translated_a_name_is_not() -> None:

@@ -11,6 +11,7 @@ from fleet_tui.errors import CommandError
 from fleet_tui.model.order import Stop
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.goals import active
+from fleet_tui.text.language import Message
 
 NO_STAMP = {"secs": 0, "nsecs": 0}
 """Stamp of a goal: taken now, by the robot's clock. In a cancellation any other stamp would mean every goal
@@ -40,7 +41,11 @@ def cancel(names: Names, robot: Robot, order_id: str) -> list[Publication]:
     """Return the cancellation of one goal, from any client. Raises CommandError for an unknown one."""
     found = [goal.uuid for listed in robot.goals.values() for goal in listed if goal.id == order_id]
     if len(found) != 1:
-        known = f"{len(found)} goals match {order_id}" if found else f"unknown goal {order_id}"
+        known = (
+            Message("{found} goals match {order_id}", found=len(found), order_id=order_id)
+            if found
+            else Message("unknown goal {order_id}", order_id=order_id)
+        )
         raise CommandError(f"{known}: see the queue of {robot.name}")
     return _cancel(names, robot, found)
 

@@ -6,6 +6,7 @@ from typing import Any
 from fleet_tui.adapters.nav2.codes import error_text
 from fleet_tui.adapters.service_outcome import judge, said
 from fleet_tui.model.commands import Command, PauseRobot, Stage
+from fleet_tui.text.language import Message
 from fleet_tui.text.limits import truncate
 from fleet_tui.text.units import counted
 
@@ -27,10 +28,10 @@ def judge_cancel(command: Command, values: object, result: bool) -> tuple[Stage,
         return (Stage.ACCEPTED, "no action server") if all_meant and absent else (stage, detail)
     code = values.get("return_code") if isinstance(values, Mapping) else None
     if not isinstance(code, int):
-        return Stage.UNKNOWN, f"unrecognised reply: {truncate(said(values))}"
+        return Stage.UNKNOWN, Message("unrecognised reply: {truncate}", truncate=truncate(said(values)))
     if code == 0:
         return Stage.ACCEPTED, ""
-    detail = RETURN_CODES.get(code, f"return code {code}")
+    detail = RETURN_CODES.get(code, Message("return code {code}", code=code))
     well = code == 3 or (all_meant and code in (1, 2))
     return (Stage.ACCEPTED, "no goal active") if well else (Stage.REFUSED, detail)
 

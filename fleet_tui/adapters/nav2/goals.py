@@ -11,6 +11,7 @@ from fleet_tui.model.geometry import Pose
 from fleet_tui.model.order import Stop
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.goals import active
+from fleet_tui.text.language import Message
 
 NO_STAMP = {"sec": 0, "nanosec": 0}
 ALL = "AAAAAAAAAAAAAAAAAAAAAA=="
@@ -46,7 +47,11 @@ def cancel(names: Names, robot: Robot, order_id: str) -> tuple[ServiceCall]:
     """Return the call that cancels one goal, from any client. Raises CommandError for an unknown one."""
     found = [goal for listed in robot.goals.values() for goal in listed if goal.id == order_id]
     if len(found) != 1:
-        known = f"{len(found)} goals match {order_id}" if found else f"unknown goal {order_id}"
+        known = (
+            Message("{found} goals match {order_id}", found=len(found), order_id=order_id)
+            if found
+            else Message("unknown goal {order_id}", order_id=order_id)
+        )
         raise CommandError(f"{known}: see the queue of {robot.name}")
     return (_cancel(names, robot, found[0].action, found[0].uuid),)
 

@@ -13,6 +13,7 @@ from fleet_tui.adapters.ros import messages as ros
 from fleet_tui.adapters.ros.type_names import same_type
 from fleet_tui.errors import WireError
 from fleet_tui.model.order import natural
+from fleet_tui.text.language import Message
 
 SAMPLES = ("fleets", "statuses", "graphs")
 """Keys of the topics whose messages name robots and levels."""
@@ -37,14 +38,28 @@ def discover(listed: Listed) -> Discovery:
             found.topics[key] = ""
             if key in READERS:
                 continue  # not every site has them
-            found.note("topics", f"{key}: no {topic} of type {type_}")
+            found.note(
+                "topics",
+                Message("{key}: no {topic} of type {type}", key=Message(key), topic=topic, type=type_),
+            )
     if "building" not in found.topics:
         found.live_maps |= set(floors)
     for name in odd:
         if name in slashed:
-            found.note("topics", f"{name!r} can't be the name of a robot here: its fleet's name has a /")
+            found.note(
+                "topics",
+                Message(
+                    "{name} can't be the name of a robot here: its fleet's name has a /", name=f"{name!r}"
+                ),
+            )
         else:
-            found.note("topics", f"{name!r} can't be the name of a robot here: letters, digits and ./_- only")
+            found.note(
+                "topics",
+                Message(
+                    "{name} can't be the name of a robot here: letters, digits and ./_- only",
+                    name=f"{name!r}",
+                ),
+            )
     return found
 
 

@@ -10,6 +10,7 @@ from fleet_tui.model import events
 from fleet_tui.model.fleets import facility
 from fleet_tui.model.fleets.events import FacilityReported
 from fleet_tui.model.fleets.facility import Facility
+from fleet_tui.text.language import Message
 from fleet_tui.text.limits import LONGEST_NAME, MOST_EDGES, truncate
 
 DOORS = ("closed", "moving", "open", "offline", "state unknown")
@@ -70,7 +71,13 @@ def read_lifts() -> Read:
         lift = read(msg)
         mode = _word(LIFT_MODES, lift.current_mode)
         here, to = lift.current_floor, lift.destination_floor
-        place = f"{here} to {to}" if to and to != here else f"at {here}" if here else ""
+        place = (
+            Message("{here} to {to}", here=here, to=to)
+            if to and to != here
+            else Message("at {here}", here=here)
+            if here
+            else ""
+        )
         text = ", ".join(filter(None, (mode, place, _word(DOORS_OF_LIFTS, lift.door_state))))
         fault = mode if mode in FAULTS else ""
         yield from _event(robots, Facility(facility.LIFT, lift.lift_name, at, text, fault, lift.session_id))
@@ -98,8 +105,14 @@ def read_work(sort: str) -> Read:
     def facts(robots: frozenset[str], msg: object, at: float) -> Iterable[events.Event]:
         one = read(msg)
         mode, waiting = _word(WORK, one.mode), len(one.request_guid_queue)
-        left = f"{one.seconds_remaining:.0f} s left" if 0.0 < one.seconds_remaining < 1e6 else ""
-        text = ", ".join(filter(None, (mode, f"{waiting} requests" if waiting > 1 else "", left)))
+        left = (
+            Message("{seconds_remaining} s left", seconds_remaining=f"{one.seconds_remaining:.0f}")
+            if 0.0 < one.seconds_remaining < 1e6
+            else ""
+        )
+        text = ", ".join(
+            filter(None, (mode, Message("{waiting} requests", waiting=waiting) if waiting > 1 else "", left))
+        )
         yield from _event(robots, Facility(sort, one.guid, at, text, mode if mode in FAULTS else ""))
 
     return facts
@@ -127,7 +140,7 @@ def _event(robots: frozenset[str], one: Facility) -> Iterable[events.Event]:
 
 
 def _word(words: tuple[str, ...], number: int) -> str:
-    return words[number] if 0 <= number < len(words) else f"mode {number}"
+    return words[number] if 0 <= number < len(words) else Message("mode {number}", number=number)
 
 
 READERS = {

@@ -15,6 +15,7 @@ from fleet_tui.errors import WireError
 from fleet_tui.model import events
 from fleet_tui.model.fleets.events import MemberReported, StatusReported
 from fleet_tui.model.geometry import Pose
+from fleet_tui.text.language import Message
 from fleet_tui.text.limits import LONGEST_NAME, truncate
 
 Read = Callable[[frozenset[str], object, float], Iterable[events.Event]]
@@ -122,9 +123,9 @@ def read_fleets() -> Read:
 
 def _member(robot: str, one: MemberMessage, at: float) -> events.Event:
     place, number = one.location, one.mode.mode
-    mode = MODES[number] if 0 <= number < len(MODES) else f"mode {number}"
+    mode = MODES[number] if 0 <= number < len(MODES) else Message("mode {number}", number=number)
     if number == MODES.index("performing an action") and one.mode.performing_action:
-        mode = f"performing {truncate(one.mode.performing_action, LONGEST_NAME)}"
+        mode = Message("performing {truncate}", truncate=truncate(one.mode.performing_action, LONGEST_NAME))
     try:
         pose, percent = _pose(place.x, place.y, place.yaw), _percent(one.battery_percent, 1.0)
     except WireError as problem:

@@ -13,6 +13,7 @@ from fleet_tui.adapters.ros import messages as ros
 from fleet_tui.adapters.ros.facts import is_place
 from fleet_tui.model import events
 from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
+from fleet_tui.text.language import Message
 from fleet_tui.text.limits import LONGEST_NAME, MOST_EDGES, MOST_VERTICES, too_many, truncate
 
 ONE_WAY = 1
@@ -75,7 +76,9 @@ def read_graphs() -> Read:
         faults = list[str]()
         levels = _levels(message, faults)
         for level, (graph, labels) in levels.items():
-            fault = f"graph of {message.name}: {faults[0]}" if faults else ""
+            fault = (
+                Message("graph of {name}: {faults}", name=message.name, faults=faults[0]) if faults else ""
+            )
             for robot in own:
                 yield events.GraphReceived(robot, level, graph, len(faults), fault)
                 yield events.LabelsReceived(robot, level, labels)
@@ -116,7 +119,7 @@ def _nodes(message: NavGraphMessage, faults: list[str]) -> Iterator[tuple[int, t
         if node is None:
             continue
         if not is_place(node.x, node.y):
-            faults.append(f"vertex {n} has no finite position")
+            faults.append(Message("vertex {n} has no finite position", n=n))
             continue
         params = {one.name: one for one in node.params}
         level = truncate(params[LEVEL].value_string, LONGEST_NAME) if LEVEL in params else ""

@@ -31,6 +31,7 @@ from fleet_tui.model.kind import CANCEL, CHARGE, CLEAR, ORDER, ORDER_TO, PAUSE, 
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import SetUpCommand, StartCharging
 from fleet_tui.model.vehicles.vehicle import START_CHARGING, STOP_CHARGING
+from fleet_tui.text.language import Message
 
 if TYPE_CHECKING:
     from fleet_tui.model.set_up.streams import StreamValue
@@ -56,7 +57,7 @@ class VehicleAdapter:
         self.topics = Topics(self.settings.topic, self.settings.interface)
         self.site = site
         accepts = ROLES[site.role]
-        reason = f"{site.role_key} is {site.role}"
+        reason = Message("{role_key} is {role}", role_key=site.role_key, role=site.role)
         self.kind = Kind(
             "vda5050",
             REPORTS,

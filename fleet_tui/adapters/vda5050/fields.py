@@ -12,6 +12,7 @@ from typing import Any
 import msgspec
 
 from fleet_tui.errors import WireError
+from fleet_tui.text.language import Message
 from fleet_tui.text.limits import LONGEST_NAME, truncate
 
 LARGEST = 4 * 2**20
@@ -55,7 +56,18 @@ class Fields:
         name, value = self._find(names)
         if value is None or is_good(value):
             return value
-        self.faults.append(truncate(f"{self._path}{name} is {value!r}, not {what}", LONGEST_NAME))
+        self.faults.append(
+            truncate(
+                Message(
+                    "{path}{name} is {value}, not {what}",
+                    path=self._path,
+                    name=name,
+                    value=f"{value!r}",
+                    what=Message(what),
+                ),
+                LONGEST_NAME,
+            )
+        )
         return None
 
     def number(self, *names: str) -> float | None:
@@ -97,7 +109,7 @@ class Fields:
             if isinstance(one, dict):
                 yield Fields(one, self.faults, f"{self._path}{name}[{n}].")
             else:
-                self.faults.append(f"{self._path}{name}[{n}] is no object")
+                self.faults.append(Message("{path}{name}[{n}] is no object", path=self._path, name=name, n=n))
 
     def shown(self) -> Iterator[tuple[str, str]]:
         """Return the simple values of this object by name, as texts."""

@@ -22,6 +22,7 @@ from fleet_tui.model.vehicles.vehicle import (
     VehicleFeatures,
 )
 from fleet_tui.rules.commands.goals import active
+from fleet_tui.text.language import Message
 
 TAKES_NO_ORDERS = 3
 """The first major version whose orders are not written here; its instant actions are those of 2.1."""
@@ -63,7 +64,11 @@ def address_of(robot: Robot, name: str) -> tuple[str, str]:
     version = seen.version or "2.0.0"
     major = major_of(version)
     if major is None:
-        said = f"{robot.name} says {version!r} as its version: which messages it reads is unknown"
+        said = Message(
+            "{name} says {version} as its version: which messages it reads is unknown",
+            name=robot.name,
+            version=f"{version!r}",
+        )
         raise NeverSeenError(said)
     if name == ORDER and major >= TAKES_NO_ORDERS:
         raise CommandError(f"{robot.name} speaks VDA 5050 {version}, of which no orders are sent")

@@ -16,6 +16,7 @@ from fleet_tui.model import events
 from fleet_tui.model.counters import LinkCounter, TopicCounter
 from fleet_tui.model.vehicles.events import ConnectionReported, MessageKept
 from fleet_tui.model.vehicles.vehicle import REMOVED, VehicleConnection
+from fleet_tui.text.language import Message
 from fleet_tui.text.limits import truncate
 
 MOST_KNOWN = 20_000
@@ -180,7 +181,12 @@ class MessageReader:
         """Name a message that was dropped, with its size and the config key of the limit."""
         self.counter.dropped += 1
         limit, key = self._limit
-        text = f"a message of {size / 1e6:.1f} MB exceeds the limit of {limit:g} MB: raise {key}"
+        text = Message(
+            "a message of {size} MB exceeds the limit of {limit} MB: raise {key}",
+            size=f"{size / 1000000.0:.1f}",
+            limit=f"{limit:g}",
+            key=Message(key),
+        )
         found = self.whose(topic)
         if found is None:
             return (events.FrameRejected(self._link, text),)

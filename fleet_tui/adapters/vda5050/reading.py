@@ -35,6 +35,7 @@ from fleet_tui.model.vehicles.vehicle import (
     VehicleConnection,
     VehicleFeatures,
 )
+from fleet_tui.text.language import Message
 
 ORDER = "order"
 """The key under which a vehicle's one order is listed."""
@@ -78,7 +79,7 @@ def stamp_of(message: Fields) -> float | None:
     text = message.text("timestamp")
     found = unix_second(text)
     if text and found is None:
-        message.faults.append(f"timestamp is {text!r}, not ISO 8601")
+        message.faults.append(Message("timestamp is {text}, not ISO 8601", text=f"{text!r}"))
     return found
 
 
@@ -136,7 +137,7 @@ def _orders(vehicle: Vehicle, target: str, is_ours: bool, earlier: Set[str]) -> 
         vehicle.order_id,
         ORDER,
         state,
-        f"{len(vehicle.nodes_left)} nodes left",
+        Message("{nodes_left} nodes left", nodes_left=len(vehicle.nodes_left)),
         stops=(Stop(target),) if target else (),
         is_ours=is_ours,
         said=said,
@@ -160,7 +161,11 @@ def read_visualization(origin: MessageOrigin, message: Fields) -> Iterator[event
     for reported in _pose(origin, message, "visualization"):
         metres = origin.memory.apart(origin.robot, reported.pose, origin.at)
         if metres:
-            message.faults.append(f"position is {metres:.1f} m from that of the state before: not used")
+            message.faults.append(
+                Message(
+                    "position is {metres} m from that of the state before: not used", metres=f"{metres:.1f}"
+                )
+            )
         else:
             yield reported
 
@@ -170,7 +175,7 @@ def _pose(origin: MessageOrigin, message: Fields, name: str) -> Iterator[events.
     found, stamp = pose_of(message), stamp_of(message)
     text, number = message.text("timestamp"), message.number("headerId")
     if origin.memory.clock_stands(origin.robot, name, text, number, origin.at):
-        message.faults.append(f"clock stands still: {text} in all messages")
+        message.faults.append(Message("clock stands still: {text} in all messages", text=Message(text)))
         stamp = None
     if found is not None:
         yield events.PoseReported(origin.robot, origin.at, *found, stamp)
@@ -215,7 +220,7 @@ def _actions(protocol: Fields | None, scope: str) -> tuple[str, ...]:
 def read_order(origin: MessageOrigin, message: Fields) -> Iterator[events.Event]:
     """Read an order of a master control: its whole route."""
     id_ = message.text("orderId")
-    yield MasterSeen(origin.robot, origin.at, f"order {short_id(id_)}", (id_,))
+    yield MasterSeen(origin.robot, origin.at, Message("order {short_id}", short_id=short_id(id_)), (id_,))
     graph, frame = graph_of(message, "nodes", "edges")
     if graph.vertices:
         yield NodesReported(origin.robot, origin.at, frame, graph)

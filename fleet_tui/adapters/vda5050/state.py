@@ -9,6 +9,7 @@ from fleet_tui.adapters.vda5050.fields import Fields
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.graph import Edge, RouteGraph, Vertex
 from fleet_tui.model.vehicles.vehicle import CANCEL, INSTANT, Vehicle, VehicleAction, VehicleError
+from fleet_tui.text.language import Message
 from fleet_tui.text.limits import LONGEST_WORDS
 
 MOST_NODES = 2000
@@ -115,7 +116,7 @@ def _requests(state: Fields) -> Iterator[str]:
         what = "a new way in zone" if one.word("requestType") == "REPLANNING" else "zone"
         yield from _asked(one, f"{what} {one.id('zoneId')}")
     for one in state.parts(MOST_REQUESTS, "edgeRequests") or []:
-        yield from _asked(one, f"the corridor of edge {one.id('edgeId')}")
+        yield from _asked(one, Message("the corridor of edge {id}", id=one.id("edgeId")))
 
 
 def _asked(request: Fields, what: str) -> Iterator[str]:
@@ -202,7 +203,7 @@ def charge_of(state: Fields) -> float | None:
     charge = power.number("batteryCharge", "stateOfCharge") if power else None
     if charge is None or 0.0 <= charge <= 101.0:
         return charge
-    state.faults.append(f"charge is {charge:g}, not between 0 and 100")
+    state.faults.append(Message("charge is {charge}, not between 0 and 100", charge=f"{charge:g}"))
     return None
 
 

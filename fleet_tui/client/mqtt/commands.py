@@ -30,6 +30,7 @@ from fleet_tui.model.vehicles.vehicle import Vehicle, VehicleError
 from fleet_tui.rules.commands.abilities import unaccepted
 from fleet_tui.rules.commands.checks import CHECKS
 from fleet_tui.rules.commands.masters import VEHICLE_CHECKS, other_master
+from fleet_tui.text.language import Message
 from fleet_tui.text.limits import truncate
 from fleet_tui.transports.mqtt.connection import BrokerConnection
 
@@ -137,7 +138,11 @@ class VehicleCommands:
             with suppress(NeverSeenError):
                 address_of(robot, ORDER)
             self.request_state(robot.name)
-            unmet = f"no state of {robot.name} within {self._timeout:g} s: order again once it has sent one"
+            unmet = Message(
+                "no state of {name} within {timeout} s: order again once it has sent one",
+                name=robot.name,
+                timeout=f"{self._timeout:g}",
+            )
             self._hold(command_id, command, late, "", unmet, "for a state")
             return True
         freeing = self._adapters[robot.name].stop_charging(robot, uuid.uuid4().hex)
@@ -145,7 +150,11 @@ class VehicleCommands:
             return False
         self._messages(command, command_id, late)
         self._publish(freeing)
-        unmet = f"{robot.name} goes on charging: it did not stop within {self._timeout:g} s"
+        unmet = Message(
+            "{name} goes on charging: it did not stop within {timeout} s",
+            name=robot.name,
+            timeout=f"{self._timeout:g}",
+        )
         self._hold(command_id, command, late, freeing.name, unmet, "for the end of its charge")
         return True
 
@@ -185,8 +194,10 @@ class VehicleCommands:
     def _interrupt(self, robot: str, why: str) -> None:
         """Do not send the order that is held for a vehicle, because of what happened meanwhile."""
         if (held := self._held.get(robot)) is not None:
-            told = f"{why} after it was told to stop charging"
-            self._give_up(robot, told if held.stop else f"{why} before its first state")
+            told = Message("{why} after it was told to stop charging", why=Message(why))
+            self._give_up(
+                robot, told if held.stop else Message("{why} before its first state", why=Message(why))
+            )
 
     def _release(self, held: HeldOrder) -> None:
         """Send an order that was held, if nothing speaks against it that its operator did not know."""
@@ -339,7 +350,7 @@ class VehicleCommands:
         if not held.stop or vehicle.charging is False:  # not told is not ended
             self._release(held)
         elif failure := failure_of(held.stop, vehicle):
-            self._give_up(robot, f"{robot} goes on charging: {failure}")
+            self._give_up(robot, Message("{robot} goes on charging: {failure}", robot=robot, failure=failure))
 
     def _wait_again(self, id_: str, asked: AwaitedAnswer) -> None:
         """Wait for the end of an action that is being carried out: that is no missing answer."""
@@ -365,12 +376,17 @@ class VehicleCommands:
         asked.timer = call_awake(LATE_ANSWER, partial(self._overdue, id_))
         why = ""
         if asked.complaints:
-            why = f", and it reports {error_text(asked.complaints[0])}"
+            why = Message(", and it reports {error_text}", error_text=error_text(asked.complaints[0]))
         elif not asked.is_echoed:
             why = ", and the broker did not pass it on (rights?)"
         elif not isinstance(asked.command, PlaceOrder) and self._is_field_open(asked.command.robot):
             why = ', or it needs instant_actions = "instantActions" in [profile.vda5050]'
-        detail = f"from {asked.command.robot} in {self._timeout:g} s{why}: may still be carried out"
+        detail = Message(
+            "from {robot} in {timeout} s{why}: may still be carried out",
+            robot=asked.command.robot,
+            timeout=f"{self._timeout:g}",
+            why=Message(why),
+        )
         self._advance(asked.command_id, Stage.NO_ANSWER, detail)
 
     def _is_field_open(self, name: str) -> bool:

@@ -29,6 +29,7 @@ from fleet_tui.model.events import CommandAdvanced
 from fleet_tui.model.link import CommandPath
 from fleet_tui.model.set_up.commands import Settle, SetUpCommand
 from fleet_tui.rules.commands.local_queue import withdrawn
+from fleet_tui.text.language import Message
 from fleet_tui.text.limits import truncate
 from fleet_tui.transports.rosbridge.connection import Connection
 
@@ -200,7 +201,11 @@ class CommandChannel:
         """Report a request whose answer did not arrive in time, on its topic."""
         known = (one for one in self._writer.store.state.commands if one.id == command_id)
         if any(one.stage is Stage.SENT for one in known):
-            self._advance(command_id, Stage.NO_ANSWER, f"no reply within {self._timeout:g} s")
+            self._advance(
+                command_id,
+                Stage.NO_ANSWER,
+                Message("no reply within {timeout} s", timeout=f"{self._timeout:g}"),
+            )
 
     def resend(self, command: Command) -> None:
         """Send a command once more; its answers are not reported."""

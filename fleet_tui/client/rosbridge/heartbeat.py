@@ -12,6 +12,7 @@ from fleet_tui.errors import LinkError
 from fleet_tui.model.counters import RoundTrips
 from fleet_tui.model.events import CommandPathChanged
 from fleet_tui.model.link import HALF_DEAD, NO_REPLY, NOT_ADMITTED, UNASKED, UNPROVEN, CommandPath
+from fleet_tui.text.language import Message
 from fleet_tui.text.limits import some
 
 EVERY = 2.0
@@ -111,9 +112,14 @@ class Heartbeat:
         if self._services.is_total:
             self._set(CommandPath.UNREGISTERED, "robot nodes not registered: restart them")
         elif gone:
-            self._set(CommandPath.UNREGISTERED, f"nodes of {some(gone)} not registered: restart them")
+            self._set(
+                CommandPath.UNREGISTERED,
+                Message("nodes of {some} not registered: restart them", some=some(gone)),
+            )
         elif absent:
-            wrong = f"no services of {some(absent)}: restart its node, or correct [profile.services]"
+            wrong = Message(
+                "no services of {some}: restart its node, or correct [profile.services]", some=some(absent)
+            )
             self._set(CommandPath.UNREGISTERED, wrong)
         elif self._pulse.knows_no_node and self._services.are_unseen:
             if self._services.is_unknown_to_bridge:

@@ -38,6 +38,7 @@ from fleet_tui.model.fleets.events import MemberReported, StatusReported
 from fleet_tui.model.kind import CAMERA
 from fleet_tui.model.link import Phase
 from fleet_tui.model.navigation_events import Live, Place
+from fleet_tui.text.language import Message
 from fleet_tui.text.limits import truncate
 from fleet_tui.transports.loop import wait_for_turn
 from fleet_tui.transports.rosbridge.connection import Connection
@@ -229,8 +230,17 @@ class Telemetry:
         self._received_at = self._active_at = at
         if self._waiting > MOST_WAITING:
             self.counter.dropped += 1
-            behind = f"{self._waiting / 1e6:.0f} MB still being decoded"
-            self._take(events.FrameRejected(self._link, f"{len(payload):,} bytes dropped: {behind}"))
+            behind = Message("{waiting} MB still being decoded", waiting=f"{self._waiting / 1000000.0:.0f}")
+            self._take(
+                events.FrameRejected(
+                    self._link,
+                    Message(
+                        "{payload} bytes dropped: {behind}",
+                        payload=f"{len(payload):,}",
+                        behind=Message(behind),
+                    ),
+                )
+            )
             return
         self._waiting += len(payload)
         loop = asyncio.get_running_loop()

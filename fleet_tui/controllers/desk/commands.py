@@ -15,6 +15,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.rules.language.edges import edge_named, edge_text
 from fleet_tui.rules.language.words import find_robot, tokens
 from fleet_tui.rules.routes.impact import closed_edge_at, cut_orders
+from fleet_tui.text.language import Message
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.impact import impact_lines, impact_text
 
@@ -97,8 +98,8 @@ class DeskCommands:
             raise CommandError("no desk: set [desk] folder in the configuration")
         if names := state.desk.other_holders(robot):
             raise CommandError(f"{robot} is claimed by {' and '.join(names)}: ask for its release")
-        return f"Claim {robot}: others are asked before they command it", partial(
-            self._do, RobotClaimed(robot), "claimed", f"claimed {robot}"
+        return Message("Claim {robot}: others are asked before they command it", robot=robot), partial(
+            self._do, RobotClaimed(robot), "claimed", Message("claimed {robot}", robot=robot)
         )
 
     def _release(self, word: str) -> Entry:
@@ -106,13 +107,15 @@ class DeskCommands:
         robot = find_robot(word, state).name
         if robot not in state.desk.claims:
             raise CommandError(f"{robot} is not claimed by this console")
-        return f"Release {robot}", partial(self._do, RobotReleased(robot), "released", f"released {robot}")
+        return Message("Release {robot}", robot=robot), partial(
+            self._do, RobotReleased(robot), "released", Message("released {robot}", robot=robot)
+        )
 
     def _close(self, ends: Ends) -> Entry:
         named = edge_text(self._robot, ends)
         impact = impact_text(cut_orders(self._parts.store.state, ends))
         done = f"closed {named}: {impact}" + ("" if self._files.desk else ", not shared: no desk")
-        return f"Close {named}: {impact}", partial(
+        return Message("Close {named}: {impact}", named=named, impact=Message(impact)), partial(
             self._do, EdgeClosed(ends, time.time()), "edge closed", done
         )
 
@@ -120,7 +123,9 @@ class DeskCommands:
         named = edge_text(self._robot, ends)
         if all(edge.ends != ends for edge in self._parts.store.state.desk.closed):
             raise CommandError(f"{named} is not closed")
-        return f"Open {named}", partial(self._do, EdgeOpened(ends), "edge opened", f"opened {named}")
+        return Message("Open {named}", named=named), partial(
+            self._do, EdgeOpened(ends), "edge opened", Message("opened {named}", named=named)
+        )
 
     def _do(self, event: Event, change: str, done: str) -> None:
         """Apply a change, and write it to the audit log."""
@@ -155,7 +160,9 @@ class DeskCommands:
         if not desk.others and desk.me:
             title += "\nnobody else is there"
         for edge in desk.closed:
-            named = f"{edge_text(self._robot, edge.ends)} on {edge.ends[0]}"
+            named = Message(
+                "{edge_text} on {ends}", edge_text=edge_text(self._robot, edge.ends), ends=edge.ends[0]
+            )
             title += "\n" + sanitize(
                 f"closed {self._clock(edge.wall)} by {edge.by or 'this console'}: {named}"
             )
@@ -164,12 +171,18 @@ class DeskCommands:
     def _entries(self) -> Iterator[Entry]:
         state, find = self._parts.store.state, self._parts.navigation.find_robot
         for one in state.desk.others:
-            looks = f" looks at {one.robot}" if one.robot in state.robots else ""
-            there = f"{one.name}, console on {one.host}{looks}{_claims(one.claims)}"
+            looks = Message(" looks at {robot}", robot=one.robot) if one.robot in state.robots else ""
+            there = Message(
+                "{name}, console on {host}{looks}{claims}",
+                name=one.name,
+                host=one.host,
+                looks=Message(looks),
+                claims=Message(_claims(one.claims)),
+            )
             yield sanitize(there), partial(find, one.robot) if looks else (lambda: None)
         if not state.desk.others:
             yield "Close", lambda: None
 
 
 def _claims(robots: tuple[str, ...]) -> str:
-    return f", claims {', '.join(robots)}" if robots else ""
+    return Message(", claims {robots}", robots=", ".join(robots)) if robots else ""

@@ -17,6 +17,7 @@ from fleet_tui.rules.commands.set_up.checks import map_of
 from fleet_tui.rules.driving.entry import drive_refusal
 from fleet_tui.rules.driving.hold import Hand
 from fleet_tui.rules.driving.speed import FIRST, Caps, faster, slowed, wanted
+from fleet_tui.text.language import Message
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import age
 from fleet_tui.view.map.map_picture import MapPicture
@@ -80,8 +81,21 @@ class DriveJournal:
 
     def end(self, reason: str, at: float) -> None:
         """Note the end of the drive."""
-        most = f"at most {self._linear:.2f} m/s and {self._angular:.2f} rad/s"
-        self._files.log("drive ended", f"{self._robot}: {reason}, after {age(at - self._began)}, {most}")
+        most = Message(
+            "at most {linear} m/s and {angular} rad/s",
+            linear=f"{self._linear:.2f}",
+            angular=f"{self._angular:.2f}",
+        )
+        self._files.log(
+            "drive ended",
+            Message(
+                "{robot}: {reason}, after {age}, {most}",
+                robot=self._robot,
+                reason=Message(reason),
+                age=age(at - self._began),
+                most=Message(most),
+            ),
+        )
 
 
 SIDEWAYS = ("q", "e")
@@ -164,7 +178,9 @@ class DriveControls:
         if refusal := self._refusal():
             self._parts.notices.say(sanitize(refusal))
         elif self._limits.robot_timeout is None:
-            question = f"{name} may not stop by itself when the link is cut: drive all the same?"
+            question = Message(
+                "{name} may not stop by itself when the link is cut: drive all the same?", name=name
+            )
             self._ask(lambda: sanitize(question), lambda: self._begin(name))
         else:
             self._begin(name)
@@ -193,7 +209,9 @@ class DriveControls:
         self._tell_releases(True)
         self._focus()
         # In the place of why the last drive ended.
-        self._parts.notices.say(sanitize(f"{name} drives while a key is held; this is not an emergency stop"))
+        self._parts.notices.say(
+            sanitize(Message("{name} drives while a key is held; this is not an emergency stop", name=name))
+        )
 
     def press(self, key: str) -> None:
         """Take a press of a direction; nothing is kept for a drive that has not begun."""
@@ -202,7 +220,9 @@ class DriveControls:
             return
         if key in SIDEWAYS and not self._limits.holonomic:
             self.stop()
-            self._parts.notices.say(sanitize(f"no sideways: holonomic is false for {self._robot.name}"))
+            self._parts.notices.say(
+                sanitize(Message("no sideways: holonomic is false for {name}", name=self._robot.name))
+            )
             return
         self._hand = self._hand.pressed(key, self._clock())
         self._steer()
@@ -242,7 +262,15 @@ class DriveControls:
         drive.end(reason)
         mode.state = drive.state
         self._journal.end(drive.state.reason, self._clock())
-        self._parts.notices.note(sanitize(f"{mode.robot} is not driven any more: {drive.state.reason}"))
+        self._parts.notices.note(
+            sanitize(
+                Message(
+                    "{robot} is not driven any more: {reason}",
+                    robot=mode.robot,
+                    reason=Message(drive.state.reason),
+                )
+            )
+        )
 
     def _leave_mode(self) -> None:
         if self.mode is not None:

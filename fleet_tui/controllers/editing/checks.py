@@ -16,6 +16,7 @@ from fleet_tui.rules.graphs.difference import GraphChange, difference
 from fleet_tui.rules.graphs.finding import GraphFinding, LintInputs
 from fleet_tui.rules.graphs.lint import lint
 from fleet_tui.rules.graphs.reach import longest_detour
+from fleet_tui.text.language import Message
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import counted
 
@@ -156,7 +157,14 @@ def _ways(floor: DocumentFloor, inputs: LintInputs, found: tuple[GraphFinding, .
     if (detour := longest_detour(graph, labels)) is None:
         return text
     start, end = (sanitize(labels[id_]) for id_ in (detour.start, detour.end))
-    return f"{text}, longest detour {start} -> {end}: {detour.metres:.0f} m for {detour.straight:.0f} m"
+    return Message(
+        "{text}, longest detour {start} -> {end}: {metres} m for {straight} m",
+        text=Message(text),
+        start=start,
+        end=end,
+        metres=f"{detour.metres:.0f}",
+        straight=f"{detour.straight:.0f}",
+    )
 
 
 def short_counts(found: tuple[GraphFinding, ...]) -> str:
@@ -192,7 +200,7 @@ def _elevators(state: FleetState, floor: str) -> frozenset[str] | None:
 def _ordered(state: FleetState, floor: str) -> dict[str, str]:
     """Return the orders that robots of a floor have, by the vertices they name."""
     return {
-        vertex: f"order {order.id} of {robot.name}"
+        vertex: Message("order {id} of {name}", id=order.id, name=robot.name)
         for robot in state.robots.values()
         if robot.floor == floor
         for order in robot.orders.open

@@ -13,6 +13,7 @@ from fleet_tui.controllers.typed import Entry
 from fleet_tui.model.graphs.document import DocumentVertex
 from fleet_tui.model.graphs.draft import GraphDraft
 from fleet_tui.rules.graphs import edits
+from fleet_tui.text.language import Message
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.map.modes.edit import EditMode, cell_metres
 from fleet_tui.view.map.scene import Scene
@@ -55,7 +56,9 @@ class GraphDrawing:
                 mode.selected = taken
                 mode.edge = ""
                 self._editor.refresh()
-                self._notices.say(f"selected vertex {sanitize(taken)}: zoom in to place another here")
+                self._notices.say(
+                    Message("selected vertex {taken}: zoom in to place another here", taken=sanitize(taken))
+                )
                 return
             self._add(draft, mode, self._place(draft, mode, scene))
 
@@ -67,9 +70,11 @@ class GraphDrawing:
         draft, mode, _ = opened
         pose = robot.pose
         if pose is None or robot.floor != draft.floor.name:
-            self._notices.say(f"{robot.name} has no pose on {sanitize(draft.floor.name)}")
+            self._notices.say(
+                Message("{name} has no pose on {name2}", name=robot.name, name2=sanitize(draft.floor.name))
+            )
         elif self._parts.store.state.now - pose.at > OLD_POSE:
-            self._notices.say(f"the pose of {robot.name} is old: not used")
+            self._notices.say(Message("the pose of {name} is old: not used", name=robot.name))
         else:
             x, y = round(pose.value.x, 3), round(pose.value.y, 3)
             self._add(draft, mode, (x, y), round(pose.value.yaw, 4))
@@ -102,7 +107,9 @@ class GraphDrawing:
             return
         there = edits.edge_between(draft.floor, mode.selected, end)
         if there is not None:
-            self._notices.say(f"edge {sanitize(there.id)} joins them already: Enter on it, d turns it")
+            self._notices.say(
+                Message("edge {id} joins them already: Enter on it, d turns it", id=sanitize(there.id))
+            )
             return
         edge = edits.connected(next(ids), next(ids), mode.selected, end)
         self._editor.do(edge if new is None else edits.joined(new, edge))
@@ -148,13 +155,27 @@ class GraphDrawing:
                 ("Cost", partial(self._parts.begin, f"{COST} ")),
                 ("Remove (x)", self.remove),
             ]
-            self._parts.open_menu(sanitize(f"edge {edge.id}: {told}"), entries)
+            self._parts.open_menu(
+                sanitize(Message("edge {id}: {told}", id=edge.id, told=Message(told))), entries
+            )
             return
         vertex = draft.floor.vertices[mode.selected]
-        heading = "any" if vertex.heading is None else f"{math.degrees(vertex.heading):.0f} degrees"
+        heading = (
+            "any"
+            if vertex.heading is None
+            else Message("{degrees} degrees", degrees=f"{math.degrees(vertex.heading):.0f}")
+        )
         told = f"{vertex.label or 'no label'}, type {vertex.type or 'none'}, heading {heading}"
         self._parts.open_menu(
-            sanitize(f"vertex {vertex.id} at {vertex.x:.2f}, {vertex.y:.2f} m: {told}"),
+            sanitize(
+                Message(
+                    "vertex {id} at {x}, {y} m: {told}",
+                    id=vertex.id,
+                    x=f"{vertex.x:.2f}",
+                    y=f"{vertex.y:.2f}",
+                    told=Message(told),
+                )
+            ),
             [
                 ("Label (n)", self._values.name),
                 ("Type (t)", self._values.choose_type),
@@ -172,7 +193,7 @@ class GraphDrawing:
         near = cell_metres(self._editor.picture.viewport, scene) / 2
         x, y = edits.snapped(others, *mode.cursor, near)
         if there := edits.vertex_there(others, x, y):
-            self._notices.say(f"vertex {sanitize(there)} is there already")
+            self._notices.say(Message("vertex {there} is there already", there=sanitize(there)))
             return
         mode.held = False
         self._editor.do(edits.renewed(vertex, replace(vertex, x=x, y=y)))

@@ -10,6 +10,7 @@ from fleet_tui.controllers.parts import SetUpParts
 from fleet_tui.controllers.typed import Typed
 from fleet_tui.model.graphs.document import DocumentEdge
 from fleet_tui.rules.graphs import edits
+from fleet_tui.text.language import Message
 
 SPEED = "speed"
 COST = "cost"
@@ -50,7 +51,14 @@ class EdgeValues:
             value = math.nan
         if value is not None and not (0 < value < math.inf or (word == COST and value == 0)):
             return Typed(problem=_EXPECTED[word])
-        return Typed([(f"Edge: {_shown(word, value)}", partial(self._renew, word, value))])
+        return Typed(
+            [
+                (
+                    Message("Edge: {shown}", shown=Message(_shown(word, value))),
+                    partial(self._renew, word, value),
+                )
+            ]
+        )
 
     def _renew(self, word: str, value: float | None) -> None:
         if edge := self.chosen():
@@ -65,4 +73,4 @@ def values_text(edge: DocumentEdge) -> str:
 
 def _shown(word: str, value: float | None) -> str:
     unit = " m/s" if word == SPEED else ""
-    return f"{word} any" if value is None else f"{word} {value:g}{unit}"
+    return Message("{word} any", word=word) if value is None else f"{word} {value:g}{unit}"

@@ -12,6 +12,7 @@ from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.graphs.document import DocumentFloor
 from fleet_tui.model.graphs.draft import Change, GraphDraft
 from fleet_tui.model.graphs.live import floor_of, roles_of
+from fleet_tui.text.language import Message
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import counted
 from fleet_tui.view.map.floor_scene import map_owner
@@ -60,14 +61,14 @@ class GraphEditor:
         try:
             kept = file.load() if file is not None else None
         except OSError as problem:
-            self._notices.say(f"draft not readable: {problem.strerror}")
+            self._notices.say(Message("draft not readable: {strerror}", strerror=problem.strerror))
             return
         if kept is None or kept.floor.name != floor or not (kept.done or kept.undone):
             self._begin(floor, file)
             return
         steps = counted(len(kept.done), "step")
         self._open_menu(
-            f"A draft of {sanitize(floor)} with {steps} was left",
+            Message("A draft of {floor} with {steps} was left", floor=sanitize(floor), steps=Message(steps)),
             [
                 ("Continue this draft", partial(self._enter, kept, file)),
                 (
@@ -80,7 +81,9 @@ class GraphEditor:
     def _begin(self, floor: str, file: DraftFile | None) -> None:
         """Begin a draft with the live graph."""
         if floor != self._navigation.floor:
-            self._notices.say(f"not edited: another floor than {sanitize(floor)} is shown")
+            self._notices.say(
+                Message("not edited: another floor than {floor} is shown", floor=sanitize(floor))
+            )
             return
         draft = GraphDraft(live_floor(self._store.state, self._navigation.selection))
         if self._enter(draft, file) and file is not None:
@@ -89,7 +92,9 @@ class GraphEditor:
     def _enter(self, draft: GraphDraft, file: DraftFile | None) -> bool:
         scene, view = self.picture.scene, self.picture.viewport
         if scene is None or scene.floor != draft.floor.name:
-            self._notices.say(f"not edited: another floor than {sanitize(draft.floor.name)} is shown")
+            self._notices.say(
+                Message("not edited: another floor than {name} is shown", name=sanitize(draft.floor.name))
+            )
             return False
         self.draft = draft
         self._file = file
@@ -130,7 +135,7 @@ class GraphEditor:
         self.draft = self.mode = self._file = None
         self.changed(None)
         if steps:
-            self._notices.say(f"draft kept with {steps}: E continues it")
+            self._notices.say(Message("draft kept with {steps}: E continues it", steps=Message(steps)))
 
     def do(self, change: Change) -> None:
         """Take a step."""
@@ -146,7 +151,11 @@ class GraphEditor:
         if draft is None or mode is None or scene is None or not self.is_open:
             return None
         if scene.floor != draft.floor.name:
-            self._notices.say(f"the draft is of {sanitize(draft.floor.name)}: go to that floor to edit it")
+            self._notices.say(
+                Message(
+                    "the draft is of {name}: go to that floor to edit it", name=sanitize(draft.floor.name)
+                )
+            )
             return None
         return draft, mode, scene
 
@@ -156,7 +165,7 @@ class GraphEditor:
         if change is None:
             self._notices.say("nothing to undo")
         else:
-            self._took(f"undone: {change.text}", Undone(), change)
+            self._took(Message("undone: {text}", text=Message(change.text)), Undone(), change)
 
     def redo(self) -> None:
         """Take the undone step again."""
@@ -184,7 +193,11 @@ class GraphEditor:
         try:
             write()
         except OSError as problem:
-            self._notices.say(sanitize(f"draft not on disk (:write FILE keeps it): {problem.strerror}"))
+            self._notices.say(
+                sanitize(
+                    Message("draft not on disk (:write FILE keeps it): {strerror}", strerror=problem.strerror)
+                )
+            )
 
 
 def live_floor(state: FleetState, selection: Selection) -> DocumentFloor:

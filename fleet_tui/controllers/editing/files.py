@@ -23,6 +23,7 @@ from fleet_tui.maps.graph_storage import graph_text, load_graph_file
 from fleet_tui.model.graphs.document import DocumentFloor, GraphDocument, GraphFormat, of_floor
 from fleet_tui.rules.graphs.finding import LintInputs
 from fleet_tui.rules.graphs.targets import of_target
+from fleet_tui.text.language import Message
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import counted
 
@@ -59,7 +60,9 @@ class DraftFiles:
             return
         path = self._files.graph_file(opened[0].floor.name)
         if path is None:
-            self._parts.begin(f"{WORD} {file_name(opened[0].floor.name)}.yaml")
+            self._parts.begin(
+                Message("{WORD} {file_name}.yaml", WORD=WORD, file_name=file_name(opened[0].floor.name))
+            )
         else:
             self._write(path, None, "")
 
@@ -73,16 +76,18 @@ class DraftFiles:
         name, wanted, vehicle = (*rest.split(None, 2), "", "", "")[:3]
         formats = ", ".join(format_.value for format_ in WRITERS)
         if not name:
-            return Typed(problem=f"a file, then a format if its name tells none: {formats}")
+            return Typed(
+                problem=Message("a file, then a format if its name tells none: {formats}", formats=formats)
+            )
         try:
             format_ = format_named(wanted) if wanted else None
         except GraphError as problem:
             return Typed(problem=sanitize(str(problem)))
-        shown = f" as {format_.value}" if format_ is not None else ""
+        shown = Message(" as {value}", value=Message(format_.value)) if format_ is not None else ""
         return Typed(
             [
                 (
-                    f"Write the draft to {sanitize(name)}{shown}",
+                    Message("Write the draft to {name}{shown}", name=sanitize(name), shown=Message(shown)),
                     partial(self._write, expanded(name), format_, vehicle),
                 )
             ]
@@ -103,18 +108,23 @@ class DraftFiles:
             if self._old_files.is_kept(path, text):
                 doubts.append("the old file is kept as .bak")
         except MissingChoiceError as missing:
-            say(sanitize(f"not written: {missing}: write FILE lif VEHICLE"))
+            say(sanitize(Message("not written: {missing}: write FILE lif VEHICLE", missing=missing)))
             return
         except (GraphError, OSError, ValueError) as problem:
             say(sanitize(f"not written: {path}: {problem}"))
             return
         if counts := counts_text(checked.found):
-            doubts.append(f"{counts}: ! lists them")
+            doubts.append(Message("{counts}: ! lists them", counts=counts))
         save = partial(self._save, path, format_, text, floor)
         if not doubts:
             save()
             return
-        question = "\n".join(map(sanitize, (f"Write {path.name} as {format_.value}?", *doubts)))
+        question = "\n".join(
+            map(
+                sanitize,
+                (Message("Write {name} as {value}?", name=path.name, value=Message(format_.value)), *doubts),
+            )
+        )
         self._ask(lambda: question, save)
 
     def _save(self, path: Path, format_: GraphFormat, text: str, floor: DocumentFloor) -> None:
@@ -127,7 +137,7 @@ class DraftFiles:
         counts = f"{counted(len(floor.vertices), 'vertex', 'vertices')}, {counted(len(floor.edges), 'edge')}"
         said = f"{where}: {format_.value}, {counts}"
         if kept is not None:
-            said += f"; the old file is {kept.name}"
+            said += Message("; the old file is {name}", name=kept.name)
         self._files.log("graph written", f"{floor.name}: {said}")
         self._parts.notices.say(sanitize(said))
 
@@ -136,7 +146,10 @@ def _doubts(document: GraphDocument, format_: GraphFormat, vehicle: str) -> list
     """Return the losses of a format, and the objections of its readers."""
     inputs = LintInputs(target=format_, vehicle_type=vehicle)
     doubts = [loss.line for loss in losses(document, format_)]
-    return doubts + [f"{format_.value} refuses: {one.text}" for one in of_target(document, inputs)]
+    return doubts + [
+        Message("{value} refuses: {text}", value=Message(format_.value), text=Message(one.text))
+        for one in of_target(document, inputs)
+    ]
 
 
 def format_of(path: Path) -> GraphFormat:

@@ -25,6 +25,7 @@ from fleet_tui.model.graphs.live import route_graph
 from fleet_tui.model.set_up.commands import SendGraph
 from fleet_tui.rules.graphs.finding import LintInputs
 from fleet_tui.rules.graphs.targets import of_target
+from fleet_tui.text.language import Message
 from fleet_tui.text.sanitize import sanitize
 
 FORMAT = GraphFormat.GEOJSON
@@ -75,12 +76,20 @@ class RouteFiles:
         """Return the reason that a floor has no file to load, with its remedy; empty if it has one."""
         path = self._files.graph_file(floor)
         if path is None:
-            return f'not sent: set graph = "FILE.geojson" in [[floors]] of {floor}, the robot loads that file'
+            return Message(
+                'not sent: set graph = "FILE.geojson" in [[floors]] of {floor}, the robot loads that file',
+                floor=floor,
+            )
         if (format_ := format_of(path)) is not FORMAT:
             remedy = "run fleet-tui graph convert, and name the new file in [[floors]] graph"
-            return f"not sent: {path.name} is {format_.value}, not geojson: {remedy}"
+            return Message(
+                "not sent: {name} is {value}, not geojson: {remedy}",
+                name=path.name,
+                value=Message(format_.value),
+                remedy=Message(remedy),
+            )
         # The robot reads it after it was written here.
-        return f"not sent: {found}" if (found := doubt(path)) else ""
+        return Message("not sent: {found}", found=found) if (found := doubt(path)) else ""
 
     def file_of(self, floor: DocumentFloor) -> RouteFile:
         """Return the file for a draft. Raises GraphError, also for what the route server refuses."""
@@ -108,9 +117,18 @@ class RouteFiles:
         except GraphError as problem:
             return sanitize(f"not sent: {file.path}: {problem}")
         self._renumber(file.floor)
-        note = f" (before: {kept.name})" if kept is not None else ""
+        note = Message(" (before: {name})", name=kept.name) if kept is not None else ""
         self._sent[command] = SentFile(load_floor_graph(file.floor.name, file.path), file, note)
-        self._files.log("graph written", f"{file.floor.name}: {file.path} for {command.robot}{note}")
+        self._files.log(
+            "graph written",
+            Message(
+                "{name}: {path} for {robot}{note}",
+                name=file.floor.name,
+                path=file.path,
+                robot=command.robot,
+                note=Message(note),
+            ),
+        )
         return ""
 
     def _renumber(self, floor: DocumentFloor) -> None:
@@ -142,7 +160,17 @@ class RouteFiles:
             return
         loaded = "may have loaded it or not" if record.stage is Stage.NOT_CONFIRMED else "has not loaded it"
         name = Path(command.path).name
-        self._notices.note(sanitize(f"{name} is written, {command.robot} {loaded}{sent.note}"))
+        self._notices.note(
+            sanitize(
+                Message(
+                    "{name} is written, {robot} {loaded}{note}",
+                    name=name,
+                    robot=command.robot,
+                    loaded=Message(loaded),
+                    note=Message(sent.note),
+                )
+            )
+        )
 
 
 def _pairs(old: Mapping[str, E], new: Mapping[str, E]) -> tuple[tuple[E | None, E | None], ...]:

@@ -18,6 +18,7 @@ from fleet_tui.model.kind import GRAPH
 from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import SendGraph
+from fleet_tui.text.language import Message
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import counted
 
@@ -49,11 +50,13 @@ class DraftSending:
         if opened is None:
             return
         floor, robot = opened[0].floor, parts.store.state.robots[parts.navigation.robot]
-        refusal = parts.dispatch.set_up_refusal() or (f"not sent: {self.doubt}" if self.doubt else "")
+        refusal = parts.dispatch.set_up_refusal() or (
+            Message("not sent: {doubt}", doubt=Message(self.doubt)) if self.doubt else ""
+        )
         if not refusal and not robot.kind.can(GRAPH):
             refusal = robot.kind.lack(GRAPH)
         if not refusal and floor.name not in robot.maps:
-            refusal = f"{robot.name} does not drive on {floor.name}"
+            refusal = Message("{name} does not drive on {name2}", name=robot.name, name2=floor.name)
         if not refusal and robot.kind.loads_graphs:
             refusal = self._route_files.refusal(floor.name)
         if refusal:
@@ -62,7 +65,11 @@ class DraftSending:
         if (checked := self._checks.of(floor)) is None:
             return
         if any(one.is_error for one in checked.found):
-            parts.notices.say(f"not sent: {counts_text(checked.found)}: ! lists them")
+            parts.notices.say(
+                Message(
+                    "not sent: {counts_text}: ! lists them", counts_text=Message(counts_text(checked.found))
+                )
+            )
             return
         self._offer(floor, robot, counts_text(checked.found))
 
@@ -78,7 +85,7 @@ class DraftSending:
             told += file.lost
             send = partial(self._send_file, robot.name, file)
         entries: list[Entry] = [
-            (f"Send to {robot.name} (asks)", send),
+            (Message("Send to {name} (asks)", name=robot.name), send),
             ("Show the differences", self._checks.compare),
             ("Show the findings", self._checks.show_findings),
         ]
@@ -106,7 +113,11 @@ class DraftSending:
     def _is_kept(self, robot: str) -> bool:
         """Keep the robot's present graph; say so if it can't be."""
         if problem := self._keep(robot):
-            self._parts.notices.say(f"not sent: the present graph can't be kept: {sanitize(problem)}")
+            self._parts.notices.say(
+                Message(
+                    "not sent: the present graph can't be kept: {problem}", problem=Message(sanitize(problem))
+                )
+            )
         return not problem
 
     def _keep(self, robot: str) -> str:

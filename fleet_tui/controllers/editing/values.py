@@ -10,6 +10,7 @@ from fleet_tui.controllers.parts import SetUpParts
 from fleet_tui.controllers.typed import Entry, Typed
 from fleet_tui.model.graphs.document import DocumentVertex
 from fleet_tui.rules.graphs import edits
+from fleet_tui.text.language import Message
 from fleet_tui.text.sanitize import sanitize
 
 NAME = "name"
@@ -51,7 +52,9 @@ class VertexValues:
             entries: list[Entry] = [("none", partial(self._renew, type_=""))]
             entries += [(sanitize(type_), partial(self._renew, type_=type_)) for type_ in types]
             entries.append(("another one, typed", partial(self._parts.begin, f"{TYPE} ")))
-            self._parts.open_menu(f"Type of vertex {sanitize(vertex.id)}", entries, searched=True)
+            self._parts.open_menu(
+                Message("Type of vertex {id}", id=sanitize(vertex.id)), entries, searched=True
+            )
 
     def name(self) -> None:
         """Type the label of the selected vertex."""
@@ -77,7 +80,11 @@ class VertexValues:
             return None
         text = rest.strip()
         if word == NAME:
-            said = f"Label of the vertex: {sanitize(text)}" if text else "Remove the vertex's label"
+            said = (
+                Message("Label of the vertex: {text}", text=Message(sanitize(text)))
+                if text
+                else "Remove the vertex's label"
+            )
             return Typed([(said, partial(self._renew, label=text))])
         if word == TYPE:
             return Typed(
@@ -89,5 +96,7 @@ class VertexValues:
             degrees = math.nan
         if degrees is not None and not math.isfinite(degrees):
             return Typed(problem="heading in degrees, counter-clockwise from the x axis, or: any")
-        shown = "any" if degrees is None else f"{degrees:g} degrees"
-        return Typed([(f"Heading at the vertex: {shown}", partial(self._face, degrees))])
+        shown = "any" if degrees is None else Message("{degrees} degrees", degrees=f"{degrees:g}")
+        return Typed(
+            [(Message("Heading at the vertex: {shown}", shown=Message(shown)), partial(self._face, degrees))]
+        )

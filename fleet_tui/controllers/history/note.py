@@ -5,6 +5,7 @@ from functools import partial
 
 from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.controllers.typed import Typed
+from fleet_tui.text.language import Message
 from fleet_tui.text.limits import truncate
 from fleet_tui.text.sanitize import sanitize
 
@@ -31,7 +32,9 @@ class NoteCommand:
         if not text:
             return Typed(problem="note TEXT: what should the next shift know?")
         remark = sanitize(text)
-        return Typed([(f"Note for the next shift: {remark}", partial(self._write, text))])
+        return Typed(
+            [(Message("Note for the next shift: {remark}", remark=remark), partial(self._write, text))]
+        )
 
     def _write(self, text: str) -> None:
         assert self._files.history is not None
@@ -40,4 +43,4 @@ class NoteCommand:
             self._files.desk.share_note(note)
         self._files.log("note", text)
         remark = sanitize(text)
-        self._say(f"noted for the next shift: {remark}")
+        self._say(Message("noted for the next shift: {remark}", remark=remark))

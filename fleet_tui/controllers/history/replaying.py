@@ -11,6 +11,7 @@ from pathlib import Path
 
 from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.recording.covering import recording_at
+from fleet_tui.text.language import Message
 
 BEFORE = 10.0
 """Seconds before the moment from which it is played: what led to it."""
@@ -50,7 +51,11 @@ class PastReplay:
         start = datetime.fromtimestamp(math.ceil(max(begun, at - BEFORE))).astimezone().replace(tzinfo=None)
         arguments = ["replay", str(path), "--at", start.isoformat(timespec="seconds")]
         if loss := self._loss():
-            return f"{loss}: in another terminal: {shlex.join(['fleet-tui', *arguments])}"
+            return Message(
+                "{loss}: in another terminal: {value}",
+                loss=loss,
+                value=Message(shlex.join(["fleet-tui", *arguments])),
+            )
         return self._run([sys.executable, "-P", "-m", "fleet_tui", *arguments])
 
 
@@ -65,4 +70,10 @@ def run_in_terminal(command: Sequence[str]) -> str:
     finally:
         signal.signal(signal.SIGINT, before)
     said = shlex.join(["fleet-tui", *command[3:]])
-    return f"it ended with status {done.returncode}; this says why: {said}" if done.returncode else ""
+    return (
+        Message(
+            "it ended with status {returncode}; this says why: {said}", returncode=done.returncode, said=said
+        )
+        if done.returncode
+        else ""
+    )

@@ -14,6 +14,7 @@ from fleet_tui.rules.language.lookup import Place, is_still, order_of
 from fleet_tui.rules.routes.dispatching import to_any
 from fleet_tui.rules.routes.nearest import Nearest, nearest, why_none, why_not
 from fleet_tui.state.store import Store
+from fleet_tui.text.language import Message
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.questions import request_text
 
@@ -53,7 +54,9 @@ class AnyoneOrders:
         state = self._store.state
         text = f"{request_text(state, self._request(found))}?\nNearest idle, {found.metres:.0f} m away"
         reason = why_not(state, state.robots[found.robot])
-        now = f"It is now {reason}: Yes proposes the next one" if reason else ""
+        now = (
+            Message("It is now {reason}: Yes proposes the next one", reason=Message(reason)) if reason else ""
+        )
         return "\n".join(filter(None, (before, text, now)))
 
     def _send(self, found: Nearest, places: Sequence[Place], sent: Callable[[], None]) -> None:
@@ -62,9 +65,15 @@ class AnyoneOrders:
         robot = state.robots[found.robot]
         changed = [place.name for place in found.places if not is_still(robot, place)]
         if changed:
-            problem = f"not sent: {sanitize(changed[0])} of {found.robot} is another place now"
+            problem: str = Message(
+                "not sent: {changed} of {robot} is another place now",
+                changed=sanitize(changed[0]),
+                robot=found.robot,
+            )
         elif reason := why_not(state, robot):
-            problem = self._propose(places, sent, f"{found.robot} is now {reason}")
+            problem = self._propose(
+                places, sent, Message("{robot} is now {reason}", robot=found.robot, reason=Message(reason))
+            )
         else:
             problem = self._dispatch.give(self._request(found), sent)
         if problem:
@@ -80,9 +89,9 @@ class AnyoneOrders:
         if places is None:
             return None
         names = " -> ".join(sanitize(place.name) for place in places)
-        text = f"nearest idle robot: {names}"
+        text = Message("nearest idle robot: {names}", names=names)
         if to_any(state, places) is not None:
-            text = f"any robot of the dispatcher: {names}"
+            text = Message("any robot of the dispatcher: {names}", names=names)
         return Typed([(text, partial(self._do, places))], complete(line, state))
 
     def _do(self, places: Sequence[Place]) -> None:

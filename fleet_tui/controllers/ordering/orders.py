@@ -24,6 +24,7 @@ from fleet_tui.rules.commands.subject import subject_of
 from fleet_tui.rules.language.lookup import Place
 from fleet_tui.rules.routes.charging import order_to_charger, way_to_charger
 from fleet_tui.state.store import Store
+from fleet_tui.text.language import Message
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.tables.missions import mission, way
 from fleet_tui.view.tables.order_story import origin
@@ -100,7 +101,14 @@ class OrderRequests:
         robot_map = robot.maps.get(floor)
         name = robot_map.name_of(vertex) if robot_map else None
         if name is None:
-            self._notices.say(f"{robot.name} has no vertex {sanitize(vertex)} on {floor}")
+            self._notices.say(
+                Message(
+                    "{name} has no vertex {vertex} on {floor}",
+                    name=robot.name,
+                    vertex=sanitize(vertex),
+                    floor=floor,
+                )
+            )
         else:
             self._open_form(robot.name, Place(vertex, name, floor), ())
 
@@ -135,7 +143,9 @@ class OrderRequests:
         robot = state.robots[name]
         order = next((order for order in all_orders(state, robot) if order.id == order_id), None)
         if order is None:
-            self._notices.say(f"order {sanitize(order_id)} is no longer in the queue")
+            self._notices.say(
+                Message("order {order_id} is no longer in the queue", order_id=sanitize(order_id))
+            )
             return
         source = origin(state, name, order, self._clock)
         title = f"Order {sanitize(order_id)} of {name}: {mission(robot, order)}\n{source}"
@@ -144,7 +154,7 @@ class OrderRequests:
     def _entries(self, robot: Robot, order: Order) -> Iterator[Entry]:
         name, back = robot.name, order.stops[::-1]
         if self._dispatch.permissions.refusal(Right.DISPATCH):
-            yield f"Show {name} on the map", partial(self._navigation.find_robot, name)
+            yield Message("Show {name} on the map", name=name), partial(self._navigation.find_robot, name)
             return
         if robot.kind.can(kind.CANCEL):
             yield "Cancel order", partial(self.ask_cancel, name, order.id)
@@ -152,13 +162,13 @@ class OrderRequests:
             yield move, partial(self._move, name, order.id, move)
         if order.stops and robot.kind.can(kind.ORDER):
             again = Request((PlaceOrder(name, order.stops),))
-            yield f"Repeat: {way(robot, order.stops)}", self._as_listed(again)
+            yield Message("Repeat: {way}", way=way(robot, order.stops)), self._as_listed(again)
         if len(back) > 1 and kind.ORDER in robot.kind.accepts:
             returning = Request((PlaceOrder(name, back),))
-            yield f"Return trip: {way(robot, back)}", self._as_listed(returning)
+            yield Message("Return trip: {way}", way=way(robot, back)), self._as_listed(returning)
         if robot.kind.can(kind.CLEAR):
             clearing = Request((ClearOrders(name),))
-            yield f"Clear all orders of {name}", partial(self._dispatch.do, clearing)
+            yield Message("Clear all orders of {name}", name=name), partial(self._dispatch.do, clearing)
 
     def _as_listed(self, request: Request) -> Callable[[], None]:
         """Return an action that gives a request, unless its places are others by then."""
@@ -178,7 +188,12 @@ class OrderRequests:
         state, robot = self._store.state, self._store.state.robots[name]
         before = dict(moves(state, robot, order_id)).get(move)
         if before is None:
-            self._notices.say(f"order {sanitize(order_id)} is there already, or does not wait here any more")
+            self._notices.say(
+                Message(
+                    "order {order_id} is there already, or does not wait here any more",
+                    order_id=sanitize(order_id),
+                )
+            )
             return
         self._dispatch.post(OrderMoved(name, order_id, before, time.monotonic()))
         others = [order.id for order in all_orders(state, robot) if order.id != order_id]

@@ -29,7 +29,7 @@ from fleet_tui.routines.progress import RoutineProgress, progress_path, resumabl
 from fleet_tui.routines.run import RoutineRun, RunParts
 from fleet_tui.rules.routines.orders import objection
 from fleet_tui.state.store import Store
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import Message, tr
 from fleet_tui.text.sanitize import sanitize
 
 UNTOLD = ("resumed", "step")
@@ -99,7 +99,16 @@ class LedRoutines:
             if goes_on and lane.gate not in (Gate.PAUSED, Gate.HELD):
                 continue
             if goes_on and (refusal := self._dispatch.set_up_refusal(Right.DISPATCH) or run.no_link(name)):
-                self._notices.say(sanitize(f"{run.file.name} {name}: not resumed: {refusal}"))
+                self._notices.say(
+                    sanitize(
+                        Message(
+                            "{name} {name2}: not resumed: {refusal}",
+                            name=run.file.name,
+                            name2=name,
+                            refusal=Message(refusal),
+                        )
+                    )
+                )
                 continue
             run.request(event, name)
 
@@ -122,7 +131,9 @@ class LedRoutines:
             try:
                 save_progress(path, self._newest[path])
             except OSError as problem:
-                return f"{path}: not written: {problem.strerror}: can't be resumed"
+                return Message(
+                    "{path}: not written: {strerror}: can't be resumed", path=path, strerror=problem.strerror
+                )
         return ""
 
     def _tell(self, problem: str) -> None:
@@ -144,6 +155,6 @@ class LedRoutines:
             path = progress_path(self._place.state, run.file.path)
             self._newest[path] = run.progress
             self._write(path)
-            self._files.log("routine held", f"{name}: the console was closed")
+            self._files.log("routine held", Message("{name}: the console was closed", name=name))
             self._locks[name].release()
         self.runs.clear()

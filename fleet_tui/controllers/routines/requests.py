@@ -27,7 +27,7 @@ from fleet_tui.routines.look import RoutinePlace, look_at_all
 from fleet_tui.routines.run import RoutineRun
 from fleet_tui.routines.start import Examined, examine
 from fleet_tui.state.store import Store
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import Message, tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.routines.lines import lane_text, lane_word, row_word
 
@@ -102,7 +102,7 @@ class RoutineRequests:
         entries.append(("Check: problems or timeline", partial(self._check, name, show_text)))
         lane = next((one for one in row.lanes if one.robot == robot and not row.is_left), None)
         state = lane_word(lane) if lane is not None else row_word(row)
-        by = f", led by {row.owner}" if row.owner and run is None else ""
+        by = Message(", led by {owner}", owner=Message(row.owner)) if row.owner and run is None else ""
         title = f"{' '.join(filter(None, (name, robot)))}: {tr(state)}{tr(by)}"
         where = lane_text(row.plans[robot], lane) if lane is not None else ""
         self._open_menu("\n".join(sanitize(line) for line in (title, where) if line), entries)
@@ -128,7 +128,11 @@ class RoutineRequests:
 
     def _check(self, name: str, show_text: ShowText) -> None:
         def show(found: Examined) -> None:
-            title = f"{name}: problems" if found.problems else f"{name}: timeline, if it started now"
+            title = (
+                Message("{name}: problems", name=name)
+                if found.problems
+                else Message("{name}: timeline, if it started now", name=name)
+            )
             show_text(title, found.problems or found.timeline)
 
         self._in_background(partial(examine, self._place, self._store.state, name), show)
@@ -138,13 +142,15 @@ class RoutineRequests:
 
         def ask(found: Examined) -> None:
             if found.problems:
-                show_text(f"{name}: not started", found.problems)
+                show_text(Message("{name}: not started", name=name), found.problems)
             else:
                 self._ask(lambda: found.question(is_left), partial(self._start, found, is_left))
 
         def start() -> None:
             if refusal := self._dispatch.set_up_refusal(Right.DISPATCH):
-                self._notices.say(sanitize(f"{name}: not started: {refusal}"))
+                self._notices.say(
+                    sanitize(Message("{name}: not started: {refusal}", name=name, refusal=Message(refusal)))
+                )
                 return
             self._in_background(partial(examine, self._place, self._store.state, name), ask)
 

@@ -8,6 +8,7 @@ from fleet_tui.model.kind import SCAN
 from fleet_tui.model.set_up.commands import SetPose
 from fleet_tui.rules.localisation.match import DOUBTFUL, FEWEST, Match
 from fleet_tui.state.store import Store
+from fleet_tui.text.language import Message
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import percent
 from fleet_tui.view.set_up.scan_match import scan_match
@@ -43,7 +44,7 @@ class ScanComparison:
         fit = scan_match(state, state.robots[robot], floor, self._backend.streams, pose)
         if fit is None or fit.beams < FEWEST or fit.share >= DOUBTFUL:
             return ""
-        return f"Only {percent(fit.share)} of the scan fits here. Send it anyway?"
+        return Message("Only {percent} of the scan fits here. Send it anyway?", percent=percent(fit.share))
 
     def look(self) -> None:
         """Say how it fits once a scan was taken after the outcome."""
@@ -68,9 +69,13 @@ class ScanComparison:
 
 
 def _compared(before: Match | None, after: Match) -> str:
-    text = f"{percent(after.share)} of the scan fits the map"
+    text: str = Message("{percent} of the scan fits the map", percent=percent(after.share))
     if before is not None:
-        text += f", {percent(before.share)} before"
+        text += Message(", {percent} before", percent=percent(before.share))
     if before is not None and after.share < before.share:
-        return f"worse, look at the scan (u): {text}"
-    return text if after.share >= DOUBTFUL else f"doubtful, look at the scan (u): {text}"
+        return Message("worse, look at the scan (u): {text}", text=Message(text))
+    return (
+        text
+        if after.share >= DOUBTFUL
+        else Message("doubtful, look at the scan (u): {text}", text=Message(text))
+    )

@@ -21,6 +21,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import SetMapping
 from fleet_tui.model.set_up.survey import survey
 from fleet_tui.rules.commands.set_up.mode import mapping_text
+from fleet_tui.text.language import Message
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import age
 from fleet_tui.view.map.map_picture import MapPicture
@@ -67,11 +68,15 @@ class MappingControls:
         """Return the known area of a map, and its age."""
         if grid is not self._grid:
             self._grid = grid
-            self._text = f"{survey(grid).known:.0f} m2 known"
+            self._text = Message("{known} m2 known", known=f"{survey(grid).known:.0f}")
         state, floor = self._parts.store.state, self._parts.navigation.floor
         robot_map = self._robot.maps.get(floor)
         at = (robot_map.grid_at if robot_map is not None else None) or state.floors[floor].live_at
-        return f"{self._text}, map {age(max(0.0, state.now - at))} old" if at is not None else self._text
+        return (
+            Message("{text}, map {age} old", text=Message(self._text), age=age(max(0.0, state.now - at)))
+            if at is not None
+            else self._text
+        )
 
     def menu(self) -> None:
         """List the actions: mapping on or off, saving the map."""
@@ -81,7 +86,10 @@ class MappingControls:
         if refusal:
             self._parts.notices.note(refusal)
         elif robot.kind.can(MAPPING):
-            entries += [(f"Mapping {mode}", partial(self._switch, mode == "on")) for mode in ("on", "off")]
+            entries += [
+                (Message("Mapping {mode}", mode=mode), partial(self._switch, mode == "on"))
+                for mode in ("on", "off")
+            ]
         else:
             self._parts.notices.note(robot.kind.lack(MAPPING))
         lines = [f"{robot.name}: {mapping_text(robot) or 'not mapping, as far as is known'}"]
@@ -90,7 +98,10 @@ class MappingControls:
             entries.append(
                 (
                     "Save this map to a file",
-                    partial(self._parts.begin, f"{WORD} {file_name(scene.floor)}.yaml"),
+                    partial(
+                        self._parts.begin,
+                        Message("{WORD} {file_name}.yaml", WORD=WORD, file_name=file_name(scene.floor)),
+                    ),
                 )
             )
         else:
@@ -99,7 +110,12 @@ class MappingControls:
         for ability, verb, what in named:
             if robot.kind.can(ability) and not refusal:
                 line = f"{verb} {robot.name} {robot.floor or ''}"
-                entries.append((f"Store the {what} on the robot", partial(self._parts.begin, line)))
+                entries.append(
+                    (
+                        Message("Store the {what} on the robot", what=Message(what)),
+                        partial(self._parts.begin, line),
+                    )
+                )
         self._parts.open_menu(
             "\n".join(map(sanitize, lines)), entries or [("Nothing can be done", lambda: None)]
         )
@@ -118,9 +134,14 @@ class MappingControls:
         if self._files.naming_refusal:
             return Typed(problem=self._files.naming_refusal)
         if not name.strip():
-            return Typed(problem=f"a file: {WORD} maps/{scene.floor}.yaml")
+            return Typed(problem=Message("a file: {WORD} maps/{floor}.yaml", WORD=WORD, floor=scene.floor))
         return Typed(
-            [(f"Save the map to {sanitize(name.strip())}", partial(self._save, scene.grid, name.strip()))]
+            [
+                (
+                    Message("Save the map to {strip}", strip=sanitize(name.strip())),
+                    partial(self._save, scene.grid, name.strip()),
+                )
+            ]
         )
 
     def _save(self, grid: OccupancyGrid, name: str) -> None:
@@ -135,7 +156,7 @@ class MappingControls:
             self._parts.notices.say(sanitize(f"map not saved: {name}: {problem}"))
             return
         if exists:
-            self._ask(lambda: f"{sanitize(name)} exists: it is kept as .bak. Save?", save)
+            self._ask(lambda: Message("{name} exists: it is kept as .bak. Save?", name=sanitize(name)), save)
         else:
             save()
 
@@ -150,4 +171,6 @@ def _saved(grid: OccupancyGrid, path: Path, report: Callable[[str], None]) -> st
         yaml = save_map(grid, path, report)
     except MapError as problem:
         return f"map not saved: {problem}"
-    return f"map saved to {yaml}, read back and compared: {survey(grid).text}"
+    return Message(
+        "map saved to {yaml}, read back and compared: {text}", yaml=yaml, text=Message(survey(grid).text)
+    )

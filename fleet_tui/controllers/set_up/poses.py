@@ -15,6 +15,7 @@ from fleet_tui.model.set_up.commands import Localise, SetPose, heading_text
 from fleet_tui.rules.commands.set_up.checks import driving
 from fleet_tui.rules.language.set_up import floor_of, to_pose
 from fleet_tui.state.store import Store
+from fleet_tui.text.language import Message
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.map.map_picture import MapPicture
 from fleet_tui.view.map.modes.place import PlaceMode
@@ -71,7 +72,7 @@ class PoseRequests:
             self._navigation.find_floor(floor)
             scene = self._picture.scene
         if scene is None or scene.floor != floor:
-            self._notices.say(f"{sanitize(floor)} is not shown yet: press again")
+            self._notices.say(Message("{floor} is not shown yet: press again", floor=sanitize(floor)))
             return
         here = robot.pose.value if robot.pose is not None and robot.floor == floor else None
         start = here or Pose(*self._picture.viewport.middle(scene))
@@ -105,7 +106,9 @@ class PoseRequests:
         if mode is None:
             return
         if mode.floor != self._navigation.floor:
-            self._notices.say(f"the place is on {sanitize(mode.floor)}: go to that floor first")
+            self._notices.say(
+                Message("the place is on {floor}: go to that floor first", floor=sanitize(mode.floor))
+            )
             return
         if mode.title == SET_POSE:
             doubt = self._comparison.doubt(mode.robot, mode.floor, mode.pose)
@@ -113,7 +116,12 @@ class PoseRequests:
             return
         pose = mode.pose
         if self._goal(mode, pose) is not None:
-            question = f"{mode.robot}: go to {heading_text(pose)} on {mode.floor}?"
+            question = Message(
+                "{robot}: go to {heading_text} on {floor}?",
+                robot=mode.robot,
+                heading_text=heading_text(pose),
+                floor=mode.floor,
+            )
             self._ask(lambda: sanitize(question), lambda: self._give_goal(mode, pose))
 
     def _give_goal(self, mode: PlaceMode, pose: Pose) -> None:
@@ -126,7 +134,16 @@ class PoseRequests:
         robot = self._store.state.robots[mode.robot]
         try:
             if (floor := floor_of(robot)) != mode.floor:
-                self._notices.say(sanitize(f"not sent: {robot.name} is on {floor}, the goal on {mode.floor}"))
+                self._notices.say(
+                    sanitize(
+                        Message(
+                            "not sent: {name} is on {floor}, the goal on {floor2}",
+                            name=robot.name,
+                            floor=floor,
+                            floor2=mode.floor,
+                        )
+                    )
+                )
                 return None
             return Request((to_pose(robot, pose),), alone=True)
         except CommandError as problem:

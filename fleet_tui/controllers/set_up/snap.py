@@ -10,6 +10,7 @@ from fleet_tui.rules.commands.set_up.checks import map_of
 from fleet_tui.rules.localisation.match import DOUBTFUL, FEWEST, Match
 from fleet_tui.rules.localisation.nearby import REACH, best_near
 from fleet_tui.state.streams import Streams
+from fleet_tui.text.language import Message
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import percent
 from fleet_tui.view.map.map_picture import MapPicture
@@ -57,7 +58,9 @@ class PoseSnap:
         robot = state.robots[mode.robot]
         beams, grid = newest_beams(state, robot, self._streams), map_of(state, robot, mode.floor)
         if grid is None:
-            self._notices.say(f"no map of {sanitize(mode.floor)} to compare the scan with")
+            self._notices.say(
+                Message("no map of {floor} to compare the scan with", floor=sanitize(mode.floor))
+            )
         elif beams is None or beams.is_sought or len(beams.points) < FEWEST:
             self._notices.say("no scan to compare: press again when it has come")
         else:
@@ -75,7 +78,7 @@ class PoseSnap:
         if mode.pose != start:
             self._notices.say("the cursor was moved during the search: press again")
         elif found is None:
-            self._notices.say(f"no better fit within {REACH:g} m of the cursor")
+            self._notices.say(Message("no better fit within {REACH} m of the cursor", REACH=f"{REACH:g}"))
         else:
             mode.put(found[0])
             self._controls.enter(mode)
@@ -87,4 +90,10 @@ def _found(start: Pose, pose: Pose, matched: Match) -> str:
     metres = math.dist((start.x, start.y), (pose.x, pose.y))
     degrees = abs(math.degrees(math.remainder(pose.yaw - start.yaw, math.tau)))
     doubt = ": doubtful, search again or elsewhere" if matched.share < DOUBTFUL else ""
-    return f"{percent(matched.share)} fit, {metres:.1f} m and {degrees:.0f} degrees from the cursor{doubt}"
+    return Message(
+        "{percent} fit, {metres} m and {degrees} degrees from the cursor{doubt}",
+        percent=percent(matched.share),
+        metres=f"{metres:.1f}",
+        degrees=f"{degrees:.0f}",
+        doubt=Message(doubt),
+    )

@@ -12,7 +12,7 @@ from fleet_tui.model.kind import PATH, SCAN
 from fleet_tui.model.set_up.streams import Beams, PlannedPath, Points
 from fleet_tui.rules.localisation.match import Match
 from fleet_tui.state.store import Store
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import Message, tr
 from fleet_tui.text.units import percent
 from fleet_tui.view.map.map_picture import MapPicture
 from fleet_tui.view.map.modes.place import PlaceMode
@@ -53,12 +53,14 @@ class ShownStreams:
         kind = self._store.state.robots[self._navigation.robot].kind
         if key in self._shown:
             self._shown.remove(key)
-            self._notices.say(f"{tr(name)} hidden")
+            self._notices.say(Message("{name} hidden", name=tr(name)))
         elif key not in kind.streams:
             self._notices.say(kind.lack(key))
         else:
             self._shown.add(key)
-            self._notices.say(f"{tr(name)} of {self._navigation.robot}: waiting for it")
+            self._notices.say(
+                Message("{name} of {robot}: waiting for it", name=tr(name), robot=self._navigation.robot)
+            )
 
     def on(self, scene: Scene) -> Scene:
         """Return the scene with the shown streams; watch those of the robot that is selected now."""
@@ -114,8 +116,20 @@ class ShownStreams:
         if self._told != robot and not beams.is_sought:
             self._told = robot
             place = "" if beams.is_mounted else ", laser offset unknown: set laser = [x, y, yaw] of the robot"
-            self._notices.note(f"laser scan of {robot}: {len(beams.points)} of {beams.sent} beams{place}")
+            self._notices.note(
+                Message(
+                    "laser scan of {robot}: {points} of {sent} beams{place}",
+                    robot=robot,
+                    points=len(beams.points),
+                    sent=beams.sent,
+                    place=place,
+                )
+            )
 
 
 def _text(match: Match | None) -> str:
-    return "no scan to compare" if match is None else f"{percent(match.share)} fit, {match.median:.2f} m"
+    return (
+        "no scan to compare"
+        if match is None
+        else Message("{percent} fit, {median} m", percent=percent(match.share), median=f"{match.median:.2f}")
+    )

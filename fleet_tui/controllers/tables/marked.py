@@ -15,6 +15,7 @@ from fleet_tui.rules.commands.subject import Subject, subject_of
 from fleet_tui.rules.language.anyone import own_place
 from fleet_tui.rules.language.lookup import Place
 from fleet_tui.state.store import Store
+from fleet_tui.text.language import Message
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.questions import losses, request_text
 
@@ -98,9 +99,13 @@ class MarkedCommands:
     def _question(self, asked: Sequence[_Asked]) -> str:
         commands = [command for one in asked for command in one.request.commands]
         robots = len({command.robot for command in commands})
-        head = f"Send to {robots} robots?" if robots > 1 else f"Send {len(commands)} commands?"
+        head = (
+            Message("Send to {robots} robots?", robots=robots)
+            if robots > 1
+            else Message("Send {commands} commands?", commands=len(commands))
+        )
         lines = [line for one in asked for line in self._lines(one)]
-        more = [f"and {len(lines) - SHOWN} more"] if len(lines) > SHOWN else []
+        more = [Message("and {lines} more", lines=len(lines) - SHOWN)] if len(lines) > SHOWN else []
         return "\n".join([head, *(f"  {line}" for line in lines[:SHOWN]), *more])
 
     def _lines(self, asked: _Asked) -> Iterator[str]:
@@ -109,7 +114,7 @@ class MarkedCommands:
         found = self._dispatch.objections(request)
         against = asked.lack or next((problem.text for problem in found if problem.blocks), "")
         if against or (withdrawn := self._dispatch.withdrawn(request, asked.subject)):
-            yield f"not sent: {sanitize(against)}" if against else withdrawn
+            yield Message("not sent: {against}", against=sanitize(against)) if against else withdrawn
             return
         warnings = "".join(f" ({sanitize(problem.text)})" for problem in found)
         lost = list(losses(state, request)) or [request_text(state, request)]
@@ -120,7 +125,7 @@ class MarkedCommands:
         told, since = list[tuple[Command, str]](), monotonic()
         for one in asked:
             problem = (
-                f"not sent: {one.lack}"
+                Message("not sent: {lack}", lack=Message(one.lack))
                 if one.lack
                 else self._dispatch.send_confirmed(one.request, one.subject)
             )
@@ -141,7 +146,11 @@ def _asked_of(state: FleetState, request: Request, robot: Robot, other: Robot) -
         place = Place(vertex, label or vertex, floor)
         found = own_place(state, other, place)
         own[vertex] = found.vertex if found else vertex
-        lacks += [] if found else [f"{other.name} has no {place.name} on {floor}"]
+        lacks += (
+            []
+            if found
+            else [Message("{name} has no {name2} on {floor}", name=other.name, name2=place.name, floor=floor)]
+        )
     commands = tuple(
         replace(
             one,

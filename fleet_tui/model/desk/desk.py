@@ -3,6 +3,7 @@
 from msgspec import Struct
 
 from fleet_tui.model.commands import Stage
+from fleet_tui.text.language import Message
 
 
 class Colleague(Struct, frozen=True):
@@ -71,8 +72,8 @@ class CommandElsewhere(Struct, frozen=True):
     def text(self) -> str:
         """Return what was done to the order that it removed, by whom and where."""
         if self.order_id:
-            return f"cancelled by {self.by} at {self.console}"
-        return f"cleared by {self.by} at {self.console}"
+            return Message("cancelled by {by} at {console}", by=self.by, console=self.console)
+        return Message("cleared by {by} at {console}", by=self.by, console=self.console)
 
 
 class Desk(Struct, frozen=True):

@@ -21,6 +21,7 @@ from fleet_tui.model.kind import (
     POSE_GRAPH_SAVE,
     SETTLE,
 )
+from fleet_tui.text.language import Message
 from fleet_tui.text.units import counted
 
 MAP_NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_-]{0,63}", re.ASCII)
@@ -171,7 +172,12 @@ class SendGraph(SetUpCommand, frozen=True, tag=True, dict=True):
     def text(self) -> str:
         """Return the command in words, without the robot."""
         counted = counts_text(len(self.vertices), len(self.edges), len(self.labels))
-        return f"{self.what} of {self.floor}: {counted}"
+        return Message(
+            "{what} of {floor}: {counted}",
+            what=Message(self.what),
+            floor=self.floor,
+            counted=Message(counted),
+        )
 
     def is_graph(self, graph: RouteGraph, labels: Mapping[str, str]) -> bool:
         """Tell whether a robot's graph and labels are the ones sent; the types of vertices don't count.

@@ -4,6 +4,7 @@ import numpy as np
 from msgspec import Struct
 
 from fleet_tui.model.grid import FREE, OCCUPIED, OccupancyGrid
+from fleet_tui.text.language import Message
 
 
 class Survey(Struct, frozen=True):
@@ -31,8 +32,15 @@ class Survey(Struct, frozen=True):
     def text(self) -> str:
         """Return size and known area in words."""
         width, height = self.size
-        cells = f"{self.columns} x {self.rows} cells"
-        return f"{width:.1f} x {height:.1f} m, {cells} of {self.resolution:.3g} m, {self.known:.0f} m2 known"
+        cells = Message("{columns} x {rows} cells", columns=self.columns, rows=self.rows)
+        return Message(
+            "{width} x {height} m, {cells} of {resolution} m, {known} m2 known",
+            width=f"{width:.1f}",
+            height=f"{height:.1f}",
+            cells=Message(cells),
+            resolution=f"{self.resolution:.3g}",
+            known=f"{self.known:.0f}",
+        )
 
 
 def survey(grid: OccupancyGrid) -> Survey:

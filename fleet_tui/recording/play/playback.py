@@ -11,6 +11,7 @@ from fleet_tui.recording.play.cursor import RecordingCursor
 from fleet_tui.recording.recording import LAST_SECOND, Instant, Recording
 from fleet_tui.recording.records import Mark
 from fleet_tui.text.details import detail_text
+from fleet_tui.text.language import Message
 from fleet_tui.view.lines.time import MarkKind, ReplayPosition, TimeMark, span
 
 SPEEDS = (0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0)
@@ -103,7 +104,7 @@ class Playback:
         self.go_on()
 
     def _mark_gap(self, until: float) -> None:
-        text = f"no records for the {span(until - self.head.at)} before this"
+        text = Message("no records for the {span} before this", span=span(until - self.head.at))
         if all(mark.at != until for mark in self.marks if mark.kind is MarkKind.GAP):
             self.marks = sorted([*self.marks, TimeMark(until, MarkKind.GAP, text)], key=lambda mark: mark.at)
 
@@ -178,7 +179,11 @@ def _command(record: AuditRecord) -> str:
 
 def _gaps(recording: Recording) -> Iterator[TimeMark]:
     for lost in recording.lost:
-        yield TimeMark(lost.at, MarkKind.GAP, f"{lost.records} records missing here: {lost.why}")
+        yield TimeMark(
+            lost.at,
+            MarkKind.GAP,
+            Message("{records} records missing here: {why}", records=lost.records, why=Message(lost.why)),
+        )
     before: Instant | None = None
     for moment in recording.keyframes:
         if before is not None:
@@ -190,5 +195,7 @@ def _gaps(recording: Recording) -> Iterator[TimeMark]:
 
 def _gap(missing: float) -> str:
     if missing < 0:
-        return f"clock set back by {span(-missing)}"
-    return f"{span(missing)} missing before this: recording computer suspended, or its clock changed"
+        return Message("clock set back by {span}", span=span(-missing))
+    return Message(
+        "{span} missing before this: recording computer suspended, or its clock changed", span=span(missing)
+    )

@@ -7,6 +7,7 @@ from fleet_tui.controllers.desk.commands import DeskCommands
 from fleet_tui.controllers.parts import SetUpParts
 from fleet_tui.controllers.tables.facilities import FacilityList
 from fleet_tui.model.history.facts import Note
+from fleet_tui.text.language import Message
 from fleet_tui.text.sanitize import sanitize
 
 AT_ONCE = 60.0
@@ -35,10 +36,14 @@ def join_desk(screen: "MainScreen") -> None:
         for note in taken:
             operator, remark = sanitize(note.operator), sanitize(note.text)
             if abs(time.time() - note.at) < AT_ONCE:
-                screen.notices.say(f"note of {operator}: {remark}")
+                screen.notices.say(Message("note of {operator}: {remark}", operator=operator, remark=remark))
             else:
                 when = screen.settings.clock(note.at)
-                screen.notices.say(f"note of {operator}, {when}: {remark}")
+                screen.notices.say(
+                    Message(
+                        "note of {operator}, {when}: {remark}", operator=operator, when=when, remark=remark
+                    )
+                )
 
     def take_note(note: Note, is_new: bool) -> None:
         if history is not None:

@@ -6,6 +6,7 @@ import ssl
 
 from fleet_tui.config.schema import Link
 from fleet_tui.errors import STOPPED, UNANSWERED
+from fleet_tui.text.language import Message
 from fleet_tui.transports.reasons import DROPS, tls_problem
 
 _STATUSES = {
@@ -33,7 +34,7 @@ def failed_handshake(text: str, bridge: Link, lost_by: Exception | None) -> str:
         return "a web server, not rosbridge"
     for wrong in ("Sec-WebSocket-Accept", "subprotocol"):
         if wrong in text:
-            return f"not rosbridge: wrong {wrong}"
+            return Message("not rosbridge: wrong {wrong}", wrong=wrong)
     return "not rosbridge: no WebSocket"
 
 
@@ -41,9 +42,9 @@ def _http(status: int, bridge: Link) -> str:
     if status in (401, 403):
         has_one = bridge.authorization_env or bridge.authorization_file
         remedy = "authorization not accepted" if has_one else "set authorization_file"
-        return f"access denied (HTTP {status}): {remedy}"
+        return Message("access denied (HTTP {status}): {remedy}", status=status, remedy=Message(remedy))
     words = _STATUSES.get(status, "a web server, not rosbridge")
-    return f"{words} (HTTP {status})"
+    return Message("{words} (HTTP {status})", words=words, status=status)
 
 
 def ended(code: int, text: str, bridge: Link, at_once: bool) -> str:

@@ -14,7 +14,7 @@ from fleet_tui.model.graph import Role
 from fleet_tui.model.history.facts import Activity
 from fleet_tui.model.kind import GOAL, LOCALISE, MAP_SAVE, MAPPING, POSE, SETTLE, Kind
 from fleet_tui.model.occupancy import FREE, OCCUPIED, UNKNOWN, Classes, build_grid
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import Message, tr
 from fleet_tui.view.help.section import HelpRow, HelpSection, key_row, translated
 from fleet_tui.view.help.synonyms import SYNONYMS
 from fleet_tui.view.history.bars import BARS
@@ -394,7 +394,13 @@ def legend(look: MapOptions) -> tuple[HelpSection, ...]:
     drawn["robots"] += (_headings(look),)
     drawn["ground"] += (cursor,)
     return (
-        *(HelpSection(f"Legend: {kind}, {look.drawing.value}", rows) for kind, rows in drawn.items()),
+        *(
+            HelpSection(
+                Message("Legend: {kind}, {value}", kind=Message(kind), value=Message(look.drawing.value)),
+                rows,
+            )
+            for kind, rows in drawn.items()
+        ),
         HelpSection("Legend: what a robot does", _states(look)),
         HelpSection("Legend: tables and status line", _tables()),
     )

@@ -9,7 +9,7 @@ from fleet_tui.model.commands import FAILURES, Stage
 from fleet_tui.model.history.facts import LinkChange, Note
 from fleet_tui.model.history.lives import AlarmLife, PastCommand, PastOrder
 from fleet_tui.text.details import detail_text
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import Message, tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import age
 
@@ -96,10 +96,10 @@ def _of_order(order: PastOrder) -> PastEvent:
     begun, ended = order.begun, order.ended
     took = []
     if begun is not None and begun - order.queued >= 1.0:
-        took.append(f"waited {age(begun - order.queued)}")
+        took.append(Message("waited {age}", age=age(begun - order.queued)))
     # An end that nobody saw is kept as its begin.
     if begun is not None and ended is not None and ended > begun:
-        took.append(f"driven in {age(ended - begun)}")
+        took.append(Message("driven in {age}", age=age(ended - begun)))
     # An order that is done needs no reason.
     reason = [] if order.stage == DONE or not order.reason else [order.reason]
     return PastEvent(
@@ -107,7 +107,7 @@ def _of_order(order: PastOrder) -> PastEvent:
         ended,
         EventKind.ORDER,
         order.robot,
-        f"order {order.order} {order.way}",
+        Message("order {order} {way}", order=order.order, way=order.way),
         order.stage,
         ", ".join([*reason, *took]),
         order.operator,
@@ -118,17 +118,21 @@ def _of_order(order: PastOrder) -> PastEvent:
 
 def _of_alarm(alarm: AlarmLife) -> PastEvent:
     over = alarm.returned if alarm.returned is not None else alarm.ended
-    lasted = f"held {age(over - alarm.raised)}" if over is not None else "still holds"
+    lasted = Message("held {age}", age=age(over - alarm.raised)) if over is not None else "still holds"
     if alarm.returned is None and over is not None:
-        lasted = f"end not seen, held at least {age(over - alarm.raised)}"
-    seen = [f"acknowledged after {age(alarm.acknowledged - alarm.raised)}"] if alarm.acknowledged else []
-    times = [f"{alarm.count} times"] if alarm.count > 1 else []
+        lasted = Message("end not seen, held at least {age}", age=age(over - alarm.raised))
+    seen = (
+        [Message("acknowledged after {age}", age=age(alarm.acknowledged - alarm.raised))]
+        if alarm.acknowledged
+        else []
+    )
+    times = [Message("{count} times", count=alarm.count)] if alarm.count > 1 else []
     return PastEvent(
         alarm.raised,
         over,
         EventKind.ALARM,
         alarm.source,
-        f"{alarm.kind} alarm, {alarm.text}",
+        Message("{kind} alarm, {text}", kind=Message(alarm.kind), text=Message(alarm.text)),
         lasted,
         ", ".join([*times, *seen]),
         alarm.operator,

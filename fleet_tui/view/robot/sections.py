@@ -14,7 +14,7 @@ from fleet_tui.rules.alarms.facilities import listed
 from fleet_tui.rules.routes.remaining import metres_left
 from fleet_tui.rules.why.complaints import Complaint
 from fleet_tui.rules.why.traffic import stops_left
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import Message, tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import age
 from fleet_tui.view.roles import StyleRole
@@ -185,7 +185,11 @@ def vehicle_rows(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
     """Yield its connection, mode, node, load and speed, each as far as it is reported."""
     if robot.connection is not None:
         known = robot.connection.value
-        text = f"{known.text}, VDA 5050 {known.version}" if known.version else known.text
+        text = (
+            Message("{text}, VDA 5050 {version}", text=Message(known.text), version=known.version)
+            if known.version
+            else known.text
+        )
         yield named("Broker", (sanitize(text), StyleRole.WARN if known.is_gone else StyleRole.TEXT))
     if robot.vehicle is not None:
         vehicle = robot.vehicle.value
@@ -204,7 +208,9 @@ def vehicle_rows(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
         if one.user == robot.name:
             yield named(one.sort.capitalize(), (sanitize(f"{one.name}: {one.state}"), StyleRole.TEXT))
     if robot.master is not None:
-        text = f"{robot.master.value}, {age(state.now - robot.master.at)} ago"
+        text = Message(
+            "{value}, {age} ago", value=Message(robot.master.value), age=age(state.now - robot.master.at)
+        )
         yield named("Master", (sanitize(text), StyleRole.TEXT))
 
 

@@ -19,6 +19,7 @@ from fleet_tui.config.schema import Link
 from fleet_tui.errors import LinkError
 from fleet_tui.model.events import MessageRejected
 from fleet_tui.model.kind import CAMERA
+from fleet_tui.text.language import Message
 from fleet_tui.text.limits import truncate
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.transports.rosbridge.connection import Connection
@@ -100,7 +101,7 @@ class CameraChannel:
         if self._calls is not None:
             self._calls.on_lost()
         for feed in self._wanted:
-            self._report(feed, f"no link for pictures: {reason}")
+            self._report(feed, Message("no link for pictures: {reason}", reason=Message(reason)))
 
     def on_frame(self, payload: bytes, is_binary: bool) -> None:
         """Read a picture, off the loop if it is large; those that arrive meanwhile are dropped."""
@@ -125,7 +126,7 @@ class CameraChannel:
         elif isinstance(read, Sequence):
             for event in read:
                 if isinstance(event, MessageRejected):
-                    self._report_to(event.robot, f"unreadable: {event.text}")
+                    self._report_to(event.robot, Message("unreadable: {text}", text=Message(event.text)))
 
     def on_sent(self, payload: bytes) -> None:
         """Do nothing: pictures are not recorded, nor that they were requested."""
@@ -134,7 +135,10 @@ class CameraChannel:
         """Report a picture that was dropped on arrival."""
         self._reading.too_large(head, is_binary, size, time.monotonic())
         for feed in self._wanted:
-            self._report(feed, f"{size / 1e6:.1f} MB a picture: lower its quality or size")
+            self._report(
+                feed,
+                Message("{size} MB a picture: lower its quality or size", size=f"{size / 1000000.0:.1f}"),
+            )
 
     def _subscribe(self, feed: Feed, compression: str) -> None:
         connection, types = self._connection, self._subscriber.types
@@ -166,7 +170,7 @@ class CameraChannel:
         assert self._calls is not None
         nodes = await ask(self._calls, "publishers", {"topic": feed.address}, "publishers", PUBLISHERS_WITHIN)
         if nodes == [] and feed in self._wanted and _pictures(self._reading, feed) == came:
-            self._report(feed, f"no camera: nothing publishes {feed.address}")
+            self._report(feed, Message("no camera: nothing publishes {address}", address=feed.address))
 
     def _unsubscribe(self, feed: Feed) -> None:
         if timer := self._timers.pop(feed, None):

@@ -14,6 +14,7 @@ from fleet_tui.model.geometry import Pose
 from fleet_tui.model.set_up.commands import Settle
 from fleet_tui.rules.commands.set_up.settling import is_settled, pose_since, settling_text
 from fleet_tui.state.store import Store
+from fleet_tui.text.language import Message
 
 POSE_WITHIN = 0.5
 """Seconds from an answer until the pose is reported: the filter waits for its next scan."""
@@ -76,4 +77,13 @@ class Settling:
 
 def _failed(poses: Sequence[Pose | None], command: Settle, detail: str) -> str:
     number = len(poses)
-    return detail if number == 1 else f"call {number} of at most {command.calls}: {detail}"
+    return (
+        detail
+        if number == 1
+        else Message(
+            "call {number} of at most {calls}: {detail}",
+            number=number,
+            calls=command.calls,
+            detail=Message(detail),
+        )
+    )

@@ -7,7 +7,7 @@ from fleet_tui.model.counters import LinkCounter
 from fleet_tui.model.link import CommandPath, LinkState, Phase
 from fleet_tui.situation.facts import LATE_LINK
 from fleet_tui.situation.links import is_late
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import Message, tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import age, ago, duration, milliseconds, size_text
 from fleet_tui.view.history.bars import level
@@ -60,9 +60,19 @@ def _fields(link: LinkState, counter: LinkCounter, now: float) -> Iterator[tuple
     took = counter.round_trips.took
     if len(took) > 1:
         curve = "".join(level(one / max(took)) for one in took)
-        yield "trend", ((curve, StyleRole.DIM), (f" up to {milliseconds(max(took))}", StyleRole.DIM))
+        yield (
+            "trend",
+            (
+                (curve, StyleRole.DIM),
+                (Message(" up to {milliseconds}", milliseconds=milliseconds(max(took))), StyleRole.DIM),
+            ),
+        )
     messages, size = counter.all.rates(now) or (0.0, 0.0)
-    total = f", {counter.all.count:,} and {size_text(counter.all.bytes)} in total"
+    total = Message(
+        ", {count} and {size_text} in total",
+        count=f"{counter.all.count:,}",
+        size_text=size_text(counter.all.bytes),
+    )
     late = f"{duration(link.late)}: {LATE_LINK.word}" if is_late(link) else duration(link.late)
     yield "late by", ((late, StyleRole.WARN if is_late(link) else StyleRole.TEXT),)
     yield "messages", ((f"{messages:.1f} /s, {size_text(size)}/s", StyleRole.TEXT), (total, StyleRole.DIM))
@@ -77,7 +87,15 @@ def _fields(link: LinkState, counter: LinkCounter, now: float) -> Iterator[tuple
         "superseded",
         (_count(counter.overtaken, "frames: replaced by newer ones"),),
     )
-    why = f"frames, last {ago(counter.bad.raw.at, now)}: {counter.bad.text}" if counter.bad else "frames"
+    why = (
+        Message(
+            "frames, last {ago}: {text}",
+            ago=Message(ago(counter.bad.raw.at, now)),
+            text=Message(counter.bad.text),
+        )
+        if counter.bad
+        else "frames"
+    )
     yield "unreadable", (_count(counter.unreadable, why),)
     errors = sum(topic.errors for topic in counter.topics.values())
     yield "bad data", (_count(errors, "messages: see Topics" if errors else "messages"),)
@@ -95,25 +113,29 @@ def _rates(counter: LinkCounter) -> str:
 def _state(link: LinkState, now: float) -> Run:
     lasted = age(now - link.since)
     if link.phase is Phase.UP:
-        return f"● up for {lasted}", StyleRole.GOOD
+        return Message("● up for {lasted}", lasted=lasted), StyleRole.GOOD
     trying = "connecting"
     if link.phase is Phase.WAITING and link.next_try is not None:
-        trying = f"retry in {max(0.0, link.next_try - now):.0f} s"
+        trying = Message("retry in {value} s", value=f"{max(0.0, link.next_try - now):.0f}")
     why = f": {sanitize(link.reason)}" if link.reason else ""
-    return f"○ no link for {lasted}{why}, {trying}", StyleRole.ALARM
+    return Message(
+        "○ no link for {lasted}{why}, {trying}", lasted=lasted, why=Message(why), trying=Message(trying)
+    ), StyleRole.ALARM
 
 
 def _commands(link: LinkState, replied_at: float | None, now: float) -> Run:
     """Return whether commands get through: not without a reply to the heartbeats for a while."""
     if link.command_path is CommandPath.ALIVE and replied_at is not None and now - replied_at > LATE:
-        return f"▲ replies late {age(now - replied_at)}", StyleRole.WARN
+        return Message("▲ replies late {age}", age=age(now - replied_at)), StyleRole.WARN
     match link.command_path:
         case CommandPath.ALIVE if link.command_reason:
             return f"○ {tr(sanitize(link.command_reason))}", StyleRole.WARN
         case CommandPath.ALIVE:
             return "● ok", StyleRole.GOOD
         case CommandPath.DEAD:
-            return f"✗ dead: {sanitize(link.command_reason)}", StyleRole.ALARM
+            return Message(
+                "✗ dead: {command_reason}", command_reason=Message(sanitize(link.command_reason))
+            ), StyleRole.ALARM
         case CommandPath.UNREGISTERED:
             return f"▲ {tr(sanitize(link.command_reason))}", StyleRole.ALARM
         case CommandPath.UNTRIED:
@@ -128,13 +150,31 @@ def _round_trip(counter: LinkCounter, now: float) -> Iterator[Run]:
     else:
         late = trips.at is None or now - trips.at > LATE
         newest = f"{milliseconds(took[-1])}, {ago(trips.at, now)}"
-        yield f"{newest}: overdue" if late else newest, StyleRole.WARN if late else StyleRole.TEXT
-        spread = f"{milliseconds(min(took))} to {milliseconds(max(took))}"
+        yield (
+            Message("{newest}: overdue", newest=Message(newest)) if late else newest,
+            StyleRole.WARN if late else StyleRole.TEXT,
+        )
+        spread = Message(
+            "{milliseconds} to {milliseconds2}",
+            milliseconds=milliseconds(min(took)),
+            milliseconds2=milliseconds(max(took)),
+        )
         mean = milliseconds(sum(took) / len(took))
-        jitter = f", jitter {milliseconds(trips.jitter)}" if took[1:] else ""
-        yield f"  last {len(took)}: {spread}, mean {mean}{jitter}", StyleRole.DIM
+        jitter = (
+            Message(", jitter {milliseconds}", milliseconds=milliseconds(trips.jitter)) if took[1:] else ""
+        )
+        yield (
+            Message(
+                "  last {took}: {spread}, mean {mean}{jitter}",
+                took=len(took),
+                spread=Message(spread),
+                mean=mean,
+                jitter=Message(jitter),
+            ),
+            StyleRole.DIM,
+        )
     if trips.unanswered:
-        yield f"  {trips.unanswered} unanswered", StyleRole.WARN
+        yield Message("  {unanswered} unanswered", unanswered=trips.unanswered), StyleRole.WARN
 
 
 def _connections(counter: LinkCounter, now: float) -> Iterator[Run]:
@@ -144,7 +184,14 @@ def _connections(counter: LinkCounter, now: float) -> Iterator[Run]:
     again = counter.connections - 1
     yield f"{again} reconnect{'s' * (again != 1)}", StyleRole.WARN if again else StyleRole.TEXT
     if counter.lost_at is not None:
-        yield f", last lost {ago(counter.lost_at, now)}: {sanitize(counter.lost_why)}", StyleRole.DIM
+        yield (
+            Message(
+                ", last lost {ago}: {lost_why}",
+                ago=Message(ago(counter.lost_at, now)),
+                lost_why=Message(sanitize(counter.lost_why)),
+            ),
+            StyleRole.DIM,
+        )
 
 
 def _count(count: int, what: str) -> Run:
