@@ -39,10 +39,7 @@ def test_the_configuration_accepts_english_and_each_file() -> None:
 
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_every_text_of_the_screen_has_a_translation(language: str) -> None:
-    messages = read_catalogue(file_of(language))
-    catalogue = Catalogue(messages)
-    missing = [text for text in texts() if text not in messages and catalogue.translated(text) == text]
-    assert missing == []
+    assert sorted(texts() - read_catalogue(file_of(language)).keys()) == []
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
