@@ -35,9 +35,10 @@ unit: $(READY)
 # All that takes too long for each commit: the tests marked so, 2,000 examples of each pure property, random keys,
 # kills, an hour's load in minutes, fuzzing, figures. Hours; each part ends by itself, and the first failure ends it.
 nightly: $(READY)
-	@$(BIN)/pytest $(TOGETHER) -m nightly
+	@$(BIN)/pytest $(TOGETHER) -m nightly --ignore tests/faults
 	@FLEET_TUI_EXAMPLES=$(or $(EXAMPLES),2000) $(BIN)/pytest -q --forks 2 --timeout 0 $(PURE)
-	@$(MAKE) --no-print-directory coverage faults kills typed soak fuzz bench
+	@$(MAKE) --no-print-directory coverage faults kills soak fuzz bench
+	@$(MAKE) --no-print-directory typed SEQUENCES=2000
 
 bench: $(READY)
 	@sed -n 's/^\([^ #]*==[^ ]*\).*/\1/p' requirements.lock > $(VENV)/constraints.txt
