@@ -226,6 +226,7 @@ class _Spoken(ast.NodeVisitor):
 
     def visit_JoinedStr(self, node: ast.JoinedStr) -> None:
         self._tell(node)
+        self.visit(Calls(node).only)
 
     def visit_Constant(self, node: ast.Constant) -> None:
         self._tell(node)
