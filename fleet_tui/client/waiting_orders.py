@@ -137,14 +137,16 @@ class WaitingOrders:
         busy = "is paused" if robot.paused_by_us else "has an order"
         if self._file is None:
             detail = Message(
-                "{name} {busy} and has no queue: order from a console, or wait", name=robot.name, busy=busy
+                "{name} {busy} and has no queue: order from a console, or wait",
+                name=robot.name,
+                busy=Message(busy),
             )
             return Stage.NOT_SENT, detail
         if not self._claim(self._file):
             return Stage.NOT_SENT, Message(
                 "{name} {busy}, and {owner} keeps the queue",
                 name=robot.name,
-                busy=busy,
+                busy=Message(busy),
                 owner=Message(self._file.owner),
             )
         return Stage.WAITING, Message(

@@ -90,7 +90,7 @@ class Dispatch:
         if refused := self._not_allowed(request):
             return refused
         return self._backend.refusal or (
-            Message("not sent: {wrong}", wrong=sanitize(wrong[0])) if wrong else ""
+            Message("not sent: {wrong}", wrong=Message(sanitize(wrong[0]))) if wrong else ""
         )
 
     def _not_allowed(self, request: Request) -> str:

@@ -7,6 +7,7 @@ from typing import Any
 import msgspec
 
 from fleet_tui.errors import GraphError
+from fleet_tui.text.language import in_english
 from fleet_tui.text.limits import truncate
 
 _UNSAFE = re.compile("[\x7f-\x9f\u2028\u2029\ufeff\ufffe\uffff]")
@@ -44,6 +45,6 @@ def to_json(value: Any) -> str:
 def encoded(value: Any) -> bytes:
     """Return a value as JSON. Raises GraphError for a number that other readers could not take."""
     try:
-        return msgspec.json.encode(value)
+        return msgspec.json.encode(value, enc_hook=in_english)
     except OverflowError:
         raise GraphError("a whole number of more than 64 bits: correct it first") from None

@@ -4,7 +4,6 @@ from collections.abc import Callable
 
 from fleet_tui.actions import Actions, EditActions
 from fleet_tui.keys.key import Key, Pane
-from fleet_tui.text.language import Message
 
 FAR = 5
 """Cells of a step with Shift."""
@@ -30,7 +29,7 @@ def _step(name: str, keys: tuple[str, ...], dx: int, dy: int) -> Key[Actions]:
         f"edit_{name}_far",
         keys,
         lambda actions: actions.map.pan(dx * FAR, dy * FAR),
-        Message("Move the cursor {FAR} cells {name}", FAR=FAR, name=name),
+        f"Move the cursor {FAR} cells {name}",
         pane=Pane.EDIT,
         in_palette=False,
         only_live=True,

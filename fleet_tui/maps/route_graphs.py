@@ -79,7 +79,11 @@ def _read(floor: str, path: Path) -> FloorGraphLoaded:
         graph, labels, faults = read_site_graph(floor, text)
     else:
         graph, labels = _read_features(raw, faults)
-    problem = Message("graph {name}: {summary}", name=path.name, summary=_summary(faults)) if faults else ""
+    problem = (
+        Message("graph {name}: {summary}", name=path.name, summary=Message(_summary(faults)))
+        if faults
+        else ""
+    )
     return FloorGraphLoaded(floor, graph, labels, problem)
 
 
@@ -94,7 +98,7 @@ def _read_features(raw: list[msgspec.Raw], faults: list[str]) -> tuple[RouteGrap
 
 def _summary(faults: list[str]) -> str:
     more = Message(", {faults} more faults", faults=len(faults) - 1) if len(faults) > 1 else ""
-    return f"{truncate(faults[0])}{more}"
+    return truncate(faults[0]) + more
 
 
 def _text_of(path: Path) -> str:

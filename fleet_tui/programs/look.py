@@ -93,7 +93,7 @@ def unit_status(output: str, unit: str, at: float) -> ProgramStatus | None:
         return ProgramStatus(
             ProgramState.UNKNOWN,
             at,
-            detail=Message("no unit {unit}: check its name, and `user`", unit=Message(unit)),
+            detail=Message("no unit {unit}: check its name, and `user`", unit=unit),
         )
     return ProgramStatus(
         state,

@@ -7,7 +7,7 @@ figures and names, which come ready from the state, find their translation, too.
 
 import json
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from functools import lru_cache
 from typing import Self
 
@@ -69,13 +69,27 @@ class Message(str):
     def __new__(cls, id: str, /, **values: object) -> Self:
         if isinstance(id, cls):
             return id
+        # A path or an exception is text from outside as well: `sanitize` must see it.
+        values = {
+            name: value if isinstance(value, str | int | float) else str(value)
+            for name, value in values.items()
+        }
         made = super().__new__(cls, id.format_map(values) if values else id)
         made.id = id
         made.values = values
         return made
 
     def __add__(self, other: str) -> "Message":
-        return Message("{text}{rest}", text=self, rest=other)
+        return Message("{text}{rest}", text=self, rest=Message(other))
+
+    def __radd__(self, other: str) -> "Message":
+        return Message(other) + self
+
+
+def joined(separator: str, texts: Iterable[str]) -> Message:
+    """Return texts of the console as one."""
+    parts = {f"part{n}": Message(text) for n, text in enumerate(texts)}
+    return Message(separator.join(f"{{{name}}}" for name in parts), **parts)
 
 
 def in_english(value: object) -> str:

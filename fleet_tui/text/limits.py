@@ -22,11 +22,7 @@ MOST_FRAMES = 1000
 
 def truncate(text: str, longest: int = LONGEST_WORDS) -> str:
     """Return `text`, or its beginning with its total length."""
-    return (
-        text
-        if len(text) <= longest
-        else Message("{text}… ({text2} characters)", text=Message(text[:longest]), text2=f"{len(text):,}")
-    )
+    return text if len(text) <= longest else f"{text[:longest]}… ({len(text):,} characters)"
 
 
 def too_many(count: int, most: int, what: str) -> str:

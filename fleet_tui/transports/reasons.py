@@ -54,7 +54,7 @@ def _untrusted(problem: ssl.SSLCertVerificationError, bridge: Link) -> str:
         case 62 | 64:
             return "certificate for another name: correct url"
     own = "not signed by ca_file" if bridge.ca_file else "set ca_file to its issuer"
-    return Message("certificate not trusted: {own}", own=own)
+    return Message("certificate not trusted: {own}", own=Message(own))
 
 
 def tls_problem(problem: ssl.SSLError, bridge: Link) -> str:

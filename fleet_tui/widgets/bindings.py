@@ -7,7 +7,6 @@ from textual.binding import Binding, BindingType
 from textual.keys import _character_to_key
 
 from fleet_tui.keys import KEYS, Key, Pane
-from fleet_tui.text.language import Message
 
 
 def bindings(pane: Pane) -> list[BindingType]:
@@ -40,7 +39,7 @@ def action_of(key: Key[Any]) -> str:
     """Return Textual's action string: tables and diagnostics run their own keys, the main screen the
     others."""
     widget = "" if key.pane in (Pane.ROWS, Pane.DIAGNOSTICS, Pane.HISTORY) else "screen."
-    return Message("{widget}key({id})", widget=widget, id=f"{key.id!r}")
+    return f"{widget}key({key.id!r})"
 
 
 def textual_key(key: str) -> str:

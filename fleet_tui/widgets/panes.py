@@ -8,7 +8,6 @@ from textual.geometry import Size
 from textual.widget import Widget
 
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.text.language import Message
 from fleet_tui.view.history.lately import RecentActivity, activity_table
 from fleet_tui.view.layout import (
     BROAD,
@@ -216,7 +215,7 @@ class Panes(Container):
         self.screen.set_class(is_beside, "-beside")
         self._place_queue(below)
         self.styles.grid_rows = rows
-        self.styles.grid_columns = Message("{map_width} 1fr", map_width=map_width) if is_wide else None
+        self.styles.grid_columns = f"{map_width} 1fr" if is_wide else None
         for pane in self.children:
             keeps = is_wide and pane.id == "floor"
             spans = (not is_wide and not self._is_small) or alone == "floor"

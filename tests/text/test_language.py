@@ -1,10 +1,13 @@
 """Texts in the language of the user: figures and names in them, and what stays as it is."""
 
 from collections.abc import Iterator
+from pathlib import Path
 
+import msgspec
 import pytest
 
-from fleet_tui.text.language import LONGEST, Catalogue, Message, read_catalogue, speak, tr
+from fleet_tui.text.language import LONGEST, Catalogue, Message, in_english, joined, read_catalogue, speak, tr
+from fleet_tui.text.sanitize import sanitize
 
 MESSAGES = {
     "no link": "keine Verbindung",
@@ -80,3 +83,20 @@ def test_reads_a_po_file() -> None:
 def test_refuses_what_is_no_po_file() -> None:
     with pytest.raises(ValueError, match="no line of a catalogue: Auftrag"):
         read_catalogue('msgid "order"\nAuftrag\n')
+
+
+def test_texts_put_together_are_translated_in_their_parts() -> None:
+    assert tr(joined("; ", ["paused", Message("{age} ago", age="4 s")])) == "pausiert; vor 4 s"
+    assert tr("paused " + Message("{age} ago", age="4 s")) == "pausiert vor 4 s"
+    assert tr(Message("{age} ago", age="4 s") + " paused") == "vor 4 s pausiert"
+
+
+def test_it_is_written_in_english_and_what_is_no_text_not_at_all() -> None:
+    record = {"detail": Message("{age} ago", age="4 s")}
+    assert msgspec.json.encode(record, enc_hook=in_english) == b'{"detail":"4 s ago"}'
+    with pytest.raises(NotImplementedError):
+        msgspec.json.encode(object(), enc_hook=in_english)
+
+
+def test_a_path_within_a_text_is_sanitized_too() -> None:
+    assert "\x1b" not in sanitize(Message("not sent: {problem}", problem=Path("a\x1b[2J")))

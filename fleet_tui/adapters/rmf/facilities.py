@@ -10,7 +10,7 @@ from fleet_tui.model import events
 from fleet_tui.model.fleets import facility
 from fleet_tui.model.fleets.events import FacilityReported
 from fleet_tui.model.fleets.facility import Facility
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import Message, joined
 from fleet_tui.text.limits import LONGEST_NAME, MOST_EDGES, truncate
 
 DOORS = ("closed", "moving", "open", "offline", "state unknown")
@@ -78,7 +78,7 @@ def read_lifts() -> Read:
             if here
             else ""
         )
-        text = ", ".join(filter(None, (mode, place, _word(DOORS_OF_LIFTS, lift.door_state))))
+        text = joined(", ", filter(None, (mode, place, _word(DOORS_OF_LIFTS, lift.door_state))))
         fault = mode if mode in FAULTS else ""
         yield from _event(robots, Facility(facility.LIFT, lift.lift_name, at, text, fault, lift.session_id))
 

@@ -16,6 +16,7 @@ from fleet_tui.model.navigation import Goal
 from fleet_tui.model.order import OrderState, Stop
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.goals import active
+from fleet_tui.text.language import in_english
 
 PREFIX = "fleet-tui-"
 DIGITS = 12
@@ -102,7 +103,10 @@ def _requests(names: Names, unique: str, asked: Sequence[Json]) -> Sequence[Publ
         Publication(
             topic,
             type_,
-            {"json_msg": msgspec.json.encode(one).decode(), "request_id": f"{id_}.{n}" if n else id_},
+            {
+                "json_msg": msgspec.json.encode(one, enc_hook=in_english).decode(),
+                "request_id": f"{id_}.{n}" if n else id_,
+            },
             id_,
             is_request=True,
         )

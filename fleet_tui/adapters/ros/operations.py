@@ -13,6 +13,7 @@ import msgspec
 
 from fleet_tui.adapters.ros.cbor import read_cbor
 from fleet_tui.errors import WireError
+from fleet_tui.text.language import in_english
 
 
 class Publish(msgspec.Struct, frozen=True):
@@ -79,7 +80,7 @@ class _Frame(msgspec.Struct):
 
 
 _decoder = msgspec.json.Decoder(_Frame)
-_encoder = msgspec.json.Encoder()
+_encoder = msgspec.json.Encoder(enc_hook=in_english)
 
 
 def _values(raw: msgspec.Raw) -> Any:

@@ -57,7 +57,7 @@ class VehicleAdapter:
         self.topics = Topics(self.settings.topic, self.settings.interface)
         self.site = site
         accepts = ROLES[site.role]
-        reason = Message("{role_key} is {role}", role_key=site.role_key, role=site.role)
+        reason = Message("{role_key} is {role}", role_key=site.role_key, role=Message(site.role))
         self.kind = Kind(
             "vda5050",
             REPORTS,

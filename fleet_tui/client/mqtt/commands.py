@@ -30,7 +30,7 @@ from fleet_tui.model.vehicles.vehicle import Vehicle, VehicleError
 from fleet_tui.rules.commands.abilities import unaccepted
 from fleet_tui.rules.commands.checks import CHECKS
 from fleet_tui.rules.commands.masters import VEHICLE_CHECKS, other_master
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import Message, in_english
 from fleet_tui.text.limits import truncate
 from fleet_tui.transports.mqtt.connection import BrokerConnection
 
@@ -311,7 +311,9 @@ class VehicleCommands:
         stamp = datetime.now(UTC).isoformat(timespec="milliseconds").replace("+00:00", "Z")
         header = {"headerId": number, "timestamp": stamp, "version": message.type}
         self._remember(message.name)
-        self._connection.publish(message.address, msgspec.json.encode({**header, **message.message}))
+        self._connection.publish(
+            message.address, msgspec.json.encode({**header, **message.message}, enc_hook=in_english)
+        )
         return number
 
     def _remember(self, id_: str) -> None:

@@ -60,9 +60,7 @@ class DraftFiles:
             return
         path = self._files.graph_file(opened[0].floor.name)
         if path is None:
-            self._parts.begin(
-                Message("{WORD} {file_name}.yaml", WORD=WORD, file_name=file_name(opened[0].floor.name))
-            )
+            self._parts.begin(f"{WORD} {file_name(opened[0].floor.name)}.yaml")
         else:
             self._write(path, None, "")
 

@@ -81,7 +81,7 @@ class VertexValues:
         text = rest.strip()
         if word == NAME:
             said = (
-                Message("Label of the vertex: {text}", text=Message(sanitize(text)))
+                Message("Label of the vertex: {text}", text=sanitize(text))
                 if text
                 else "Remove the vertex's label"
             )

@@ -53,8 +53,8 @@ class PastReplay:
         if loss := self._loss():
             return Message(
                 "{loss}: in another terminal: {value}",
-                loss=loss,
-                value=Message(shlex.join(["fleet-tui", *arguments])),
+                loss=Message(loss),
+                value=shlex.join(["fleet-tui", *arguments]),
             )
         return self._run([sys.executable, "-P", "-m", "fleet_tui", *arguments])
 

@@ -100,7 +100,7 @@ class MappingControls:
                     "Save this map to a file",
                     partial(
                         self._parts.begin,
-                        Message("{WORD} {file_name}.yaml", WORD=WORD, file_name=file_name(scene.floor)),
+                        f"{WORD} {file_name(scene.floor)}.yaml",
                     ),
                 )
             )

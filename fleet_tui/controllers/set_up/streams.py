@@ -122,7 +122,7 @@ class ShownStreams:
                     robot=robot,
                     points=len(beams.points),
                     sent=beams.sent,
-                    place=place,
+                    place=Message(place),
                 )
             )
 

@@ -114,7 +114,7 @@ class MarkedCommands:
         found = self._dispatch.objections(request)
         against = asked.lack or next((problem.text for problem in found if problem.blocks), "")
         if against or (withdrawn := self._dispatch.withdrawn(request, asked.subject)):
-            yield Message("not sent: {against}", against=sanitize(against)) if against else withdrawn
+            yield Message("not sent: {against}", against=Message(sanitize(against))) if against else withdrawn
             return
         warnings = "".join(f" ({sanitize(problem.text)})" for problem in found)
         lost = list(losses(state, request)) or [request_text(state, request)]

@@ -110,7 +110,7 @@ def taken_back(state: FleetState) -> set[Key]:
 
 def _cause(robot: Robot, last: commands.CommandRecord) -> str:
     """Return why an order of this console failed, empty if nothing tells."""
-    detail = last.detail.removeprefix(Message("order {order_id}: ", order_id=last.order_id))
+    detail = last.detail.removeprefix(f"order {last.order_id}: ")
     gone = next((one for one in reversed(robot.gone) if one.order.id == last.order_id), None)
     if gone is not None and detail in ("", UNSAID):
         return cause_of_end(robot, gone)
@@ -139,12 +139,12 @@ def failure_remedy(state: FleetState, robot: Robot, last: commands.CommandRecord
 
 def _texts(robot: Robot, last: commands.CommandRecord, request: str) -> tuple[str, str]:
     """Return the text of a failure while it is news, and after."""
-    detail = last.detail.removeprefix(Message("order {order_id}: ", order_id=last.order_id))
+    detail = last.detail.removeprefix(f"order {last.order_id}: ")
     if last.stage is commands.Stage.FAILED and isinstance(last.command, commands.PlaceOrder):
         # In the form of an order of another client.
         cause = _cause(robot, last) or "no reason reported"
-        return Message("{request} failed: {cause}", request=request, cause=Message(cause)), Message(
-            "{request} failed", request=request
+        return Message("{request} failed: {cause}", request=Message(request), cause=Message(cause)), Message(
+            "{request} failed", request=Message(request)
         )
     told = f"{request}{detail_text(last.detail)}"
     if last.stage in _CAUSED and last.detail:

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from fleet_tui.model.commands import NOT_LEFT
 from fleet_tui.model.desk.desk import CommandElsewhere
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import Message, joined
 
 AT_ONCE = 10.0
 """Seconds between two commands to one robot within which they are given at once."""
@@ -33,7 +33,10 @@ def _are_at_once(state: FleetState, command: CommandElsewhere) -> Iterator[bool]
 
 def rivals_text(state: FleetState, robot: str) -> str:
     """Return who else commands a robot, from where and what, empty for nobody."""
-    return ", ".join(
-        Message("{by} at {console}: {what}", by=one.by, console=one.console, what=Message(one.what))
-        for one in rivals(state, robot)
+    return joined(
+        ", ",
+        (
+            Message("{by} at {console}: {what}", by=one.by, console=one.console, what=Message(one.what))
+            for one in rivals(state, robot)
+        ),
     )

@@ -184,7 +184,7 @@ def mistakable(robot: Robot, floors: Iterable[tuple[str, str]]) -> Iterator[Prob
                 "{meant} has the id {vertex}, which {others} has too: the robot decides which is meant",
                 meant=meant,
                 vertex=vertex,
-                others=Message(others[0]),
+                others=others[0],
             )
             yield Problem("floor mismatch", text, blocks=False)
 

@@ -54,8 +54,8 @@ def _of_vertex(before: DocumentFloor, after: DocumentFloor, id_: str) -> list[Gr
         text: str = Message(
             "vertex {id}: {quoted} -> {quoted2}",
             id=id_,
-            quoted=_quoted(old.label),
-            quoted2=_quoted(new.label),
+            quoted=Message(_quoted(old.label)),
+            quoted2=Message(_quoted(new.label)),
         )
         found.append(GraphChange("relabelled", text, id_))
     if old.type != new.type:

@@ -41,7 +41,7 @@ class Nearest(Struct, frozen=True):
             robot=self.robot,
             metres=f"{self.metres:.0f}",
             name=self.places[0].name,
-            charge=charge,
+            charge=Message(charge),
         )
 
 

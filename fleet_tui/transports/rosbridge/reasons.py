@@ -44,7 +44,7 @@ def _http(status: int, bridge: Link) -> str:
         remedy = "authorization not accepted" if has_one else "set authorization_file"
         return Message("access denied (HTTP {status}): {remedy}", status=status, remedy=Message(remedy))
     words = _STATUSES.get(status, "a web server, not rosbridge")
-    return Message("{words} (HTTP {status})", words=words, status=status)
+    return Message("{words} (HTTP {status})", words=Message(words), status=status)
 
 
 def ended(code: int, text: str, bridge: Link, at_once: bool) -> str:

@@ -79,7 +79,7 @@ def _file_lines(state: FleetState, robot: Robot, command: SendGraph) -> Iterator
     if not command.path:
         return
     kept = ", the old file is kept as .bak" if command.is_kept else ""
-    yield Message("writes {path}{kept}", path=sanitize(command.path), kept=kept)
+    yield Message("writes {path}{kept}", path=sanitize(command.path), kept=Message(kept))
     others = [
         one
         for one in state.robots.values()

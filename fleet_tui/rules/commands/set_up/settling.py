@@ -41,7 +41,7 @@ def settling_text(poses: Sequence[Pose | None]) -> str:
     last = (
         Message(
             ", {still}by {difference_text} at the last",
-            still=still,
+            still=Message(still),
             difference_text=Message(difference_text(before, after)),
         )
         if len(poses) > 2
