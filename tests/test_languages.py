@@ -88,35 +88,36 @@ def test_what_people_write_and_call_things_stays_as_it_is() -> None:
     assert "18 - no link sperren" in tr("Close 18 - no link: cuts the way of no order")
 
 
-HOSTILE = st.text(max_size=40) | st.sampled_from(
-    [
-        "Failed to make progress",
-        "door to hall locked",
-        "no link",
-        "{name} on {0}",
-        "%s %",
-        "\u202eabc",
-        "x" * 10_000,
-    ]
+HOSTILE = (
+    "Failed to make progress",
+    "door to hall locked",
+    "no link",
+    "{name} on {0}",
+    "%s %",
+    "\u202eabc",
+    "x" * 10_000,
 )
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
-def test_a_value_is_in_each_text_as_it_is(language: str) -> None:
+def test_values_are_in_every_text_as_they_are(language: str) -> None:
     messages = read_catalogue(file_of(language))
     catalogue = Catalogue(messages)
 
-    @given(st.sampled_from(sorted(filter(places, messages))), st.data())
-    def assert_shown(msgid: str, data: st.DataObject) -> None:
-        values = {name: f"«{name} {data.draw(HOSTILE)}»" for name in places(msgid)}
-        message = Message(msgid, **values)
-        for text, around in ((message, msgid), (catalogue.translated(message), messages[msgid])):
-            assert [name for name, value in values.items() if value not in text] == []
-            for value in values.values():
-                text = text.replace(value, "")
-            assert text == re.sub(r"\{\w+\}", "", around)
+    def assert_shown(said: str) -> None:
+        for msgid in filter(places, messages):
+            values = {name: f"«{name} {said}»" for name in places(msgid)}
+            message = Message(msgid, **values)
+            assert message == _filled(msgid, values)
+            assert catalogue.translated(message) == _filled(messages[msgid], values)
 
-    assert_shown()
+    for said in HOSTILE:
+        assert_shown(said)
+    given(st.text(max_size=40))(assert_shown)()
+
+
+def _filled(text: str, values: dict[str, str]) -> str:
+    return re.sub(r"\{(\w+)\}", lambda place: values[place[1]], text)
 
 
 def test_a_message_within_a_message_is_translated_too() -> None:

@@ -36,7 +36,7 @@ class PlaceOrder(Struct, frozen=True, tag=True):
         if self.to_any:
             return Message("order {route} (any robot)", route=route)
         if self.with_cargo and not kind.brings_cargo:
-            return Message("go to {removeprefix}", removeprefix=route.removeprefix("-> "))
+            return Message("go to {place}", place=route.removeprefix("-> "))
         return f"{self.what(kind)} {route}"
 
 

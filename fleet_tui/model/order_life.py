@@ -159,7 +159,7 @@ def _unlisted_end(trace: OrderTrace, last_listed: float | None, at: float, away:
         return Stage.DONE, "driven to the end"
     if last_listed is not None and at - last_listed > BLIND_AFTER:
         blind = Message("left the queue while no queue was received for {age}", age=age(at - last_listed))
-        return Stage.LOST, Message("{blind}: may have been completed", blind=Message(blind))
+        return Stage.LOST, Message("{blind}: may have been completed", blind=blind)
     if not trace.begun:
         return Stage.LEFT, "not by this console, before it started"
     seen = away(trace.order)
@@ -168,7 +168,7 @@ def _unlisted_end(trace: OrderTrace, last_listed: float | None, at: float, away:
     metres, seen_at = seen
     if at - seen_at > BLIND_AFTER:
         blind = Message("left the queue while no pose was received for {age}", age=age(at - seen_at))
-        return Stage.LOST, Message("{blind}: may have been completed", blind=Message(blind))
+        return Stage.LOST, Message("{blind}: may have been completed", blind=blind)
     where = (
         "on another floor"
         if metres == math.inf

@@ -70,7 +70,7 @@ def plain(text: str) -> str:
     """Return a line of the log as one says it: the message first, then its code."""
     coded = _CODED.search(text)
     return (
-        Message("{coded} (error {coded2})", coded=coded["text"], coded2=coded["code"])
+        Message("{text} (error {code})", text=coded["text"], code=coded["code"])
         if coded
         else text.strip().rstrip(".")
     )

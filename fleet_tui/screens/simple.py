@@ -268,8 +268,8 @@ class Simple(Vertical):
         if missing:
             self._say(
                 tr(
-                    "{capitalize} is missing: choose where {PURPOSE}",
-                    capitalize=tr(missing.capitalize()),
+                    "{field} is missing: choose where {PURPOSE}",
+                    field=tr(missing.capitalize()),
                     PURPOSE=tr(_PURPOSE[missing]),
                 )
             )

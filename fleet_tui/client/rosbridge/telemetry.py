@@ -237,7 +237,7 @@ class Telemetry:
                     Message(
                         "{payload} bytes dropped: {behind}",
                         payload=f"{len(payload):,}",
-                        behind=Message(behind),
+                        behind=behind,
                     ),
                 )
             )

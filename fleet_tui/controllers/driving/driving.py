@@ -93,7 +93,7 @@ class DriveJournal:
                 robot=self._robot,
                 reason=Message(reason),
                 age=age(at - self._began),
-                most=Message(most),
+                most=most,
             ),
         )
 

@@ -73,9 +73,5 @@ def _compared(before: Match | None, after: Match) -> str:
     if before is not None:
         text += Message(", {percent} before", percent=percent(before.share))
     if before is not None and after.share < before.share:
-        return Message("worse, look at the scan (u): {text}", text=Message(text))
-    return (
-        text
-        if after.share >= DOUBTFUL
-        else Message("doubtful, look at the scan (u): {text}", text=Message(text))
-    )
+        return Message("worse, look at the scan (u): {text}", text=text)
+    return text if after.share >= DOUBTFUL else Message("doubtful, look at the scan (u): {text}", text=text)

@@ -37,7 +37,7 @@ class Survey(Struct, frozen=True):
             "{width} x {height} m, {cells} of {resolution} m, {known} m2 known",
             width=f"{width:.1f}",
             height=f"{height:.1f}",
-            cells=Message(cells),
+            cells=cells,
             resolution=f"{self.resolution:.3g}",
             known=f"{self.known:.0f}",
         )

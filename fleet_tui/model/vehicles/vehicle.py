@@ -149,7 +149,7 @@ class Vehicle(Struct, frozen=True):
     @property
     def e_stop_text(self) -> str:
         """Return the text of its emergency stop, empty if it is not active."""
-        return Message("e-stop ({lower})", lower=self.e_stop.lower()) if self.e_stop else ""
+        return Message("e-stop ({mode})", mode=self.e_stop.lower()) if self.e_stop else ""
 
 
 class VehicleConnection(Struct, frozen=True):

@@ -113,9 +113,9 @@ def own_mode(state: FleetState, robot: Robot, command: Command) -> Iterator[Prob
         for grave in vehicle.errors:
             if grave.level in HIGH:
                 text = Message(
-                    "{name} reports {lower} {type}",
+                    "{name} reports {level} {type}",
                     name=robot.name,
-                    lower=grave.level.lower(),
+                    level=grave.level.lower(),
                     type=grave.type,
                 )
                 yield Problem("fault", text, blocks=False)

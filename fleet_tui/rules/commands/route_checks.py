@@ -150,13 +150,9 @@ def floor_mismatch(state: FleetState, robot: Robot, command: commands.Command) -
             "{one} is on {here}, {other} on {there}", one=one, here=min(here), other=other, there=min(there)
         )
         if not robot.kind.changes_floors:
-            yield Problem(
-                "floor mismatch", Message("{where}: an order can't change floors", where=Message(where))
-            )
+            yield Problem("floor mismatch", Message("{where}: an order can't change floors", where=where))
         elif _lack_lifts(robot, here | there):
-            yield Problem(
-                "floor mismatch", Message("{where}, no elevator known", where=Message(where)), blocks=False
-            )
+            yield Problem("floor mismatch", Message("{where}, no elevator known", where=where), blocks=False)
 
 
 def mistakable(robot: Robot, floors: Iterable[tuple[str, str]]) -> Iterator[Problem]:

@@ -115,7 +115,7 @@ class _Drawing:
         goes_on = (
             self.blocks(
                 block.otherwise,
-                Message("unless {removeprefix}", removeprefix=Message(block.text.removeprefix("if "))),
+                Message("unless {condition}", condition=Message(block.text.removeprefix("if "))),
             )
             and goes_on
         )

@@ -24,7 +24,7 @@ def blocked(state: FleetState, robot: Robot) -> Reason | None:
         cause = Message("{polygon} violated", polygon=found.polygon)
     return Reason(
         blocked_text(found, state.now),
-        Message("{cause}: clear the path at the robot", cause=Message(cause)),
+        Message("{cause}: clear the path at the robot", cause=cause),
         strength,
         since=found.since,
         seen=robot.blocked.at,

@@ -98,17 +98,17 @@ def changed(names: Sequence[str]) -> str:
 
 def missing(field: str, typed: str = "") -> str:
     if typed.strip():
-        return tr("{capitalize}: Enter takes the marked place", capitalize=tr(field.capitalize()))
+        return tr("{field}: Enter takes the marked place", field=tr(field.capitalize()))
     remedy = tr("its name") if field == "robot" else tr("a label or a vertex id")
-    return tr("{capitalize} is missing: type {remedy}", capitalize=tr(field.capitalize()), remedy=remedy)
+    return tr("{field} is missing: type {remedy}", field=tr(field.capitalize()), remedy=remedy)
 
 
 def no_match(robot: Robot | None, field: str, typed: str) -> str:
     """Return the text for typed words that are no choice, with the nearest place or nothing."""
     near = did_you_mean(typed, [place.name for place in places(robot)]) if robot and field != "robot" else ""
     return tr(
-        "{capitalize}: no match for {typed}{near}",
-        capitalize=tr(field.capitalize()),
+        "{field}: no match for {typed}{near}",
+        field=tr(field.capitalize()),
         typed=f"{typed!r}",
         near=tr(sanitize(near)),
     )

@@ -14,8 +14,8 @@ def change_question(rows: Mapping[str, ProgramRow], name: str, verb: str, now: f
     where = tr(" on {host}", host=row.host) if row.host else ""
     lines = [
         tr(
-            "{capitalize} {name}{where}? It is {value}.",
-            capitalize=tr(verb.capitalize()),
+            "{verb} {name}{where}? It is {value}.",
+            verb=tr(verb.capitalize()),
             name=name,
             where=tr(where),
             value=tr(row.state(now).value),

@@ -167,7 +167,7 @@ def _round_trip(counter: LinkCounter, now: float) -> Iterator[Run]:
             Message(
                 "  last {took}: {spread}, mean {mean}{jitter}",
                 took=len(took),
-                spread=Message(spread),
+                spread=spread,
                 mean=mean,
                 jitter=Message(jitter),
             ),
