@@ -106,10 +106,11 @@ def test_values_are_in_every_text_as_they_are(language: str) -> None:
 
     def assert_shown(said: str) -> None:
         for msgid in filter(places, messages):
-            values = {name: f"«{name} {said}»" for name in places(msgid)}
-            message = Message(msgid, **values)
-            assert message == _filled(msgid, values)
-            assert catalogue.translated(message) == _filled(messages[msgid], values)
+            for value in ("{said}", "«{name} {said}»"):
+                values = {name: value.format(name=name, said=said) for name in places(msgid)}
+                message = Message(msgid, **values)
+                assert message == _filled(msgid, values)
+                assert catalogue.translated(message) == _filled(messages[msgid], values)
 
     for said in HOSTILE:
         assert_shown(said)
