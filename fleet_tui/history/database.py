@@ -13,6 +13,8 @@ from fleet_tui.config.schema import Config
 VERSION = 1
 BUSY_MS = 2000
 """Milliseconds for which a writer waits for another one."""
+CACHE_KIB = 512
+"""Memory for pages of a writer, which reads few again: SQLite's own 2 MB fill within half an hour."""
 FOLDER = "history"
 SUFFIX = ".sqlite"
 
@@ -80,6 +82,7 @@ def _prepare(database: sqlite3.Connection) -> bool:
     database.execute("PRAGMA auto_vacuum = INCREMENTAL")  # only before the first table
     database.execute("PRAGMA journal_mode = WAL")
     database.execute("PRAGMA synchronous = NORMAL")
+    database.execute(f"PRAGMA cache_size = -{CACHE_KIB}")
     (version,) = database.execute("PRAGMA user_version").fetchone()
     if version > VERSION:
         raise sqlite3.NotSupportedError("written by a newer fleet-tui")
