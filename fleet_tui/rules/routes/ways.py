@@ -10,6 +10,7 @@ import numpy as np
 from fleet_tui.model.geometry import Line, Pose
 from fleet_tui.model.graph import Role, RouteGraph
 from fleet_tui.model.robot import RobotMap
+from fleet_tui.model.same import Same
 
 AT_VERTEX = 0.5
 """Metres within which a robot is at a vertex: even on a one-way edge it can start from there."""
@@ -80,7 +81,11 @@ class Routes:
         return self._places[vertex].x, self._places[vertex].y
 
 
-@lru_cache(maxsize=8)  # two floors, each with and without a closed edge
 def routes_of(robot_map: RobotMap) -> Routes | None:
     """Return the routes of a map, None without a graph."""
-    return Routes(robot_map.graph) if robot_map.graph is not None else None
+    return _routes_of(Same(robot_map.graph)) if robot_map.graph is not None else None
+
+
+@lru_cache(maxsize=8)  # two floors, each with and without a closed edge
+def _routes_of(graph: Same[RouteGraph]) -> Routes:
+    return Routes(graph.value)

@@ -4,6 +4,7 @@ The picture is the selected robot's: its map, graph and labels. The others are p
 own map_metadata.
 """
 
+from collections.abc import Mapping
 from dataclasses import replace
 from functools import lru_cache
 
@@ -13,6 +14,7 @@ from fleet_tui.model.geometry import Line, MapFrame, Pose
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.robot import Robot, RobotMap
+from fleet_tui.model.same import Same
 from fleet_tui.rules.alarms.facilities import closed_edges
 from fleet_tui.rules.alarms.trouble import (
     acknowledged,
@@ -50,9 +52,9 @@ Drawn = tuple[tuple[SceneVertex, ...], tuple[Line, ...], tuple[Line, ...]]
 
 
 @lru_cache(maxsize=2)
-def _drawn(robot_map: RobotMap) -> Drawn:
-    """Return vertices, edges and one-way edges; the same objects as long as the map is the same."""
-    graph, labels = robot_map.graph or RouteGraph(), robot_map.labels
+def _drawn(known: Same[RouteGraph | None], named: Same[Mapping[str, str]]) -> Drawn:
+    """Return vertices, edges and one-way edges; the same objects as long as graph and labels are the same."""
+    graph, labels = known.value or RouteGraph(), named.value
     vertices = tuple(
         SceneVertex(vertex.id, vertex.x, vertex.y, vertex.role, sanitize(labels.get(vertex.id, "")))
         for vertex in graph.vertices.values()
@@ -235,7 +237,7 @@ def floor_scene(state: FleetState, selection: Selection, drafted: Drafted | None
     """Return the scene of the selected floor; while an order is typed its way is in place of the mission."""
     owner = map_owner(state, selection)
     robot_map = owner.maps[selection.floor] if owner else RobotMap()
-    vertices, edges, one_way = _drawn(robot_map)
+    vertices, edges, one_way = _drawn(Same(robot_map.graph), Same(robot_map.labels))
     floor = state.floors[selection.floor]
     ground = _ground(state, floor.name, vertices)
     scene = Scene(floor.name, ground, vertices=vertices, edges=edges, one_way=one_way, at=state.now)

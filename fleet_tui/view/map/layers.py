@@ -9,13 +9,14 @@ from numpy.typing import NDArray
 
 from fleet_tui.model.graph import Role
 from fleet_tui.model.order import natural
+from fleet_tui.model.same import Same
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.cells import Cells, Roles
 from fleet_tui.view.map.drawing import Drawing
 from fleet_tui.view.map.glyphs import vertex_glyph
 from fleet_tui.view.map.ground.raster import ground
-from fleet_tui.view.map.places import Place, Same, cells_of_vertices
+from fleet_tui.view.map.places import Place, cells_of_vertices
 from fleet_tui.view.map.placing.labels import Label, draw_label
 from fleet_tui.view.map.placing.occupancy import CellOccupancy
 from fleet_tui.view.map.scene import Scene, SceneVertex
@@ -87,7 +88,7 @@ def _glyphs(
         vertex_glyph(vertex.role, bool(vertex.label), plain)
         if vertex.role is not Role.PLAIN
         else (labelled if vertex.label else bare)  # most of them are: no look into the cache for each
-        for vertex in vertices.rows
+        for vertex in vertices.value
     ]
     return np.array([ord(glyph) for glyph, _ in glyphs], np.uint32), np.array(
         [role for _, role in glyphs], np.uint8
@@ -154,9 +155,9 @@ def _ranks(vertices: Same[tuple[SceneVertex, ...]]) -> tuple[tuple[int, ...], ND
     """Return the indices of labelled vertices in the order of their labels, and the vertices that no label
     may cover."""
     plain = Role.PLAIN
-    labelled = [i for i, vertex in enumerate(vertices.rows) if vertex.label]
-    labelled.sort(key=lambda i: (vertices.rows[i].role is plain, natural(vertices.rows[i].id)))
-    marked = [bool(vertex.label) or vertex.role is not plain for vertex in vertices.rows]
+    labelled = [i for i, vertex in enumerate(vertices.value) if vertex.label]
+    labelled.sort(key=lambda i: (vertices.value[i].role is plain, natural(vertices.value[i].id)))
+    marked = [bool(vertex.label) or vertex.role is not plain for vertex in vertices.value]
     return tuple(labelled), np.array(marked, np.bool_)
 
 

@@ -1,12 +1,12 @@
 """World positions in the view. Invalid coordinates are outside it."""
 
 from functools import lru_cache
-from typing import Generic, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from fleet_tui.model.geometry import MapFrame
+from fleet_tui.model.same import Same
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.glyphs import is_special
 from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
@@ -15,27 +15,11 @@ Points = NDArray[np.float64]
 Indices = NDArray[np.intp]
 Place = tuple[int, int]
 """A cell (x, y) of the view."""
-Rows = TypeVar("Rows", bound=tuple[object, ...])
-
-
-class Same(Generic[Rows]):
-    """A tuple as a key of a cache, equal only to itself: comparing thousands of elements takes too long."""
-
-    __slots__ = ("rows",)
-
-    def __init__(self, rows: Rows) -> None:
-        self.rows = rows
-
-    def __hash__(self) -> int:
-        return id(self.rows)
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, Same) and self.rows is other.rows
 
 
 @lru_cache(maxsize=4)
 def _points(vertices: Same[tuple[SceneVertex, ...]]) -> Points:
-    return np.array([(vertex.x, vertex.y) for vertex in vertices.rows], np.float64).reshape(-1, 2)
+    return np.array([(vertex.x, vertex.y) for vertex in vertices.value], np.float64).reshape(-1, 2)
 
 
 def seen_robots(scene: Scene, camera: Camera) -> list[tuple[SceneRobot, Place]]:

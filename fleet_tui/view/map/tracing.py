@@ -7,8 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from fleet_tui.model.geometry import Line
+from fleet_tui.model.same import Same
 from fleet_tui.view.map.camera import DOTS_X, DOTS_Y, Camera
-from fleet_tui.view.map.places import Points, Same, pixels
+from fleet_tui.view.map.places import Points, pixels
 from fleet_tui.view.map.scene import Scene
 
 Mask = NDArray[np.bool_]
@@ -33,7 +34,7 @@ def dots_of(scene: Scene, camera: Camera, points: Points) -> Points:
 @lru_cache(maxsize=8)
 def _as_array(lines: Same[tuple[Line, ...]]) -> Points:
     # Twice as fast as from a list of tuples.
-    numbers = np.fromiter(chain.from_iterable(lines.rows), np.float64, 4 * len(lines.rows))
+    numbers = np.fromiter(chain.from_iterable(lines.value), np.float64, 4 * len(lines.value))
     return numbers.reshape(-1, 4)
 
 

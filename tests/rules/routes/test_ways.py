@@ -30,5 +30,8 @@ def test_a_robot_on_a_one_way_edge_can_only_go_on() -> None:
 
 def test_a_map_without_a_graph_has_no_routes() -> None:
     assert routes_of(RobotMap()) is None
-    known = RobotMap(graph=ONE_WAY)
-    assert routes_of(known) is routes_of(known)
+
+
+def test_robots_with_the_same_graph_have_the_same_routes() -> None:
+    first, second = RobotMap(graph=ONE_WAY), RobotMap(graph=ONE_WAY, labels={"a": "Base"})
+    assert routes_of(first) is routes_of(second)
