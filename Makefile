@@ -53,7 +53,7 @@ coverage: $(READY)
 	@$(BIN)/python -m tests.support.coverage_floors $(VENV)/coverage.json tests/coverage_floors.toml
 
 soak: $(READY)
-	@$(BIN)/python -m tests.bench.soak --minutes $(or $(MINUTES),10)
+	@$(BIN)/python -m tests.bench.soak --minutes $(or $(MINUTES),30)
 
 faults: $(READY)
 	@rm -f $(VENV)/faults.jsonl
