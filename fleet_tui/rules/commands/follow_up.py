@@ -86,7 +86,8 @@ def _ended(state: FleetState, robot: Robot, record: CommandRecord) -> CommandRec
     gone = latest(robot.gone, record.order_id, record.issued_at) or _listed(robot, record, record.at)
     if gone is None:
         return record
-    if _answers(robot, record) and record.answer is None and state.now - gone.at < ANSWER_WITHIN:
+    answers = robot.kind.keeps_goals and not record.name
+    if answers and record.answer is None and state.now - gone.at < ANSWER_WITHIN:
         return record  # its own answer has the reason
     if _is_held(state, record, gone):
         return _waiting(state, robot, record, "stopped, goal kept here")
@@ -97,29 +98,18 @@ def _ended(state: FleetState, robot: Robot, record: CommandRecord) -> CommandRec
             return _advanced_to(state, record, Stage.CANCELLED, BY_THIS_CONSOLE)
         record = replace(record, leg=record.leg + 1)
         return _waiting(state, robot, record, "stop reached, next goal follows")
-    told, reason = _told(robot, record, stage, reason)
-    if is_open and told is stage:
+    answer = record.answer
+    if answer is not None and (stage in (Stage.DONE, Stage.FAILED) or (stage, answer.stage) == _UNSEEN):
+        # Skipped stops are only in its answer.
+        stage, reason = answer.stage, answer.detail or reason
+    elif answers and stage is Stage.DONE and _is_of_several_stops(record):
+        reason = "succeeded, result missing: stops may have been missed"
+    elif is_open:
         return record  # another console may have removed it
-    stage = told
     if stage is Stage.FAILED and robot.kind.keeps_goals:
         # The id of a goal says nothing to a person who looks for the cause.
         return record.advanced(Step(stage, state.now, _cause(robot, gone, reason)))
     return _advanced_to(state, record, stage, reason)
-
-
-def _told(robot: Robot, record: CommandRecord, stage: Stage, reason: str) -> tuple[Stage, str]:
-    """Return an end and its reason with the robot's own answer: only there are stops that it skipped."""
-    answer = record.answer
-    if answer is not None and (stage in (Stage.DONE, Stage.FAILED) or (stage, answer.stage) == _UNSEEN):
-        return answer.stage, answer.detail or reason
-    if _answers(robot, record) and stage is Stage.DONE and _is_of_several_stops(record):
-        return stage, "succeeded, result missing: stops may have been missed"
-    return stage, reason
-
-
-def _answers(robot: Robot, record: CommandRecord) -> bool:
-    """Tell whether the robot answers this console on the end of the order's goal."""
-    return robot.kind.keeps_goals and not record.name
 
 
 def _cause(robot: Robot, gone: GoneOrder, reason: str) -> str:
@@ -156,7 +146,6 @@ def _corrected(state: FleetState, robot: Robot, record: CommandRecord) -> Comman
     if gone is None or not (robot.kind.reports_ends or gone.order.serial == record.order_serial):
         return record
     stage, reason, _ = end_of(state, robot, gone, record)
-    stage, reason = _told(robot, record, stage, reason)
     if stage not in NEXT[record.stage] or (stage is Stage.DONE and record.has_further_leg(robot.kind)):
         return record  # nothing better is known, or that was only one of its stops
     return _advanced_to(
