@@ -6,15 +6,25 @@ READY := $(VENV)/.ready
 PURE := $(addprefix tests/,text model keys rules graph_files state view adapters config test_house.py test_keymap.py test_errors.py)
 # Twice the cores: some wait for a process. The longest first.
 TOGETHER := -q --forks $(shell expr $$(getconf _NPROCESSORS_ONLN) \* 2)
+POS := $(wildcard fleet_tui/locales/*/LC_MESSAGES/fleet_tui.po)
+CATALOGUES := $(POS:.po=.mo)
 # Compiled once, not by each of a few hundred processes.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: demo test nightly quick lint types unit bench coverage faults typed kills advisories fuzz soak pictures docs lock format dist dist-check clean
+.PHONY: demo messages test nightly quick lint types unit bench coverage faults typed kills advisories fuzz soak pictures docs lock format dist dist-check clean
 
-demo: $(READY)
+$(CATALOGUES): $(READY) $(POS)
+	@$(BIN)/python hatch_build.py
+
+# The messages of the code into each catalogue, for their translations.
+messages: $(READY)
+	@$(BIN)/pybabel -q extract -F babel.cfg -k "Message tr N_ counted:1,2" --no-wrap --no-location -o $(VENV)/messages.pot .
+	@for po in $(POS); do $(BIN)/pybabel -q update --no-wrap --ignore-obsolete --no-fuzzy-matching -i $(VENV)/messages.pot -d fleet_tui/locales -D fleet_tui -l $$(basename $$(dirname $$(dirname $$po))); done
+
+demo: $(READY) $(CATALOGUES)
 	@$(BIN)/fleet-tui demo
 
-test: $(READY)
+test: $(READY) $(CATALOGUES)
 	@$(MAKE) --no-print-directory -j 2 lint types unit
 
 lint: $(READY)
@@ -26,10 +36,10 @@ types: $(READY)
 	@$(BIN)/mypy
 
 # The developer's loop: no processes, no sockets.
-quick: $(READY)
+quick: $(READY) $(CATALOGUES)
 	@$(BIN)/pytest -q --forks 2 $(PURE)
 
-unit: $(READY)
+unit: $(READY) $(CATALOGUES)
 	@$(BIN)/pytest $(TOGETHER)
 
 # All that takes too long for each commit: the tests marked so, 2,000 examples of each pure property, random keys,

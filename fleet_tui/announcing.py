@@ -7,10 +7,11 @@ from fleet_tui.config.schema import Config
 from fleet_tui.history.notifying import alarm_program
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.terminal.annunciator import Annunciator
+from fleet_tui.text.language import Message
 
 
 def announcing(
-    config: Config, backend: Backend, send: Callable[[str], bool], say: Callable[[str], None]
+    config: Config, backend: Backend, send: Callable[[str], bool], say: Callable[[Message], None]
 ) -> Callable[[FleetState], None]:
     """Return what is called with every state. `send` writes to the terminal, `say` tells the operator that
     the program failed; what a recording shows calls nobody else."""

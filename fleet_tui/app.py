@@ -26,6 +26,7 @@ from fleet_tui.terminal.fault_guard import FaultGuard
 from fleet_tui.terminal.first_paint import FirstPaint
 from fleet_tui.terminal.key_releases import KeyReleased
 from fleet_tui.terminal.lean_app import LeanApp
+from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.themes import FleetTheme
 from fleet_tui.view.map.drawing import Drawing
 from fleet_tui.widgets.bindings import bindings, textual_key, textual_keymap
@@ -38,7 +39,7 @@ def clock(wall: float) -> str:
     try:
         return time.strftime("%H:%M:%S", time.localtime(wall)) if wall else ""
     except (OverflowError, ValueError, OSError):
-        return "no time"
+        return Message("no time")
 
 
 class FleetApp(LeanApp, inherit_bindings=False):
@@ -61,7 +62,7 @@ class FleetApp(LeanApp, inherit_bindings=False):
         open_session: OpenSession = LiveSession,
         files: ConsoleFiles | None = None,
         terminal: str = "",
-        message: str = "",
+        message: Message = EMPTY,
     ) -> None:
         """Without a `backend` the console connects to the fleet of `config`. `terminal` is its description in
         help, `message` the first notice."""
@@ -86,7 +87,7 @@ class FleetApp(LeanApp, inherit_bindings=False):
         self.set_keymap(textual_keymap({id_: key for id_, key in keys.items() if key != usual[id_]}))
 
     def _settings(
-        self, keys: dict[str, tuple[str, ...]], drawing: Drawing, terminal: str, message: str
+        self, keys: dict[str, tuple[str, ...]], drawing: Drawing, terminal: str, message: Message
     ) -> ConsoleSettings:
         config = self.config
         return ConsoleSettings(
@@ -137,7 +138,7 @@ class FleetApp(LeanApp, inherit_bindings=False):
             self.backend.open()
         except Exception as problem:
             LOG.exception("link not opened")
-            said = f"link not opened: {problem} (see the log file)"
+            said = Message("link not opened: {problem} (see the log file)", problem=problem)
             self.call_from_thread(self.main.notices.say, said, stays=True)
 
     def use_theme(self, name: str) -> None:

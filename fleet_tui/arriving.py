@@ -15,6 +15,7 @@ from fleet_tui.config.withholding import TRUST
 from fleet_tui.errors import ConfigError, LinkError, NoConfigError
 from fleet_tui.log_file import log_to_file
 from fleet_tui.terminal.detect import IN_BROWSER, need_terminal
+from fleet_tui.text.language import Message
 from fleet_tui.text.sanitize import sanitize
 
 if TYPE_CHECKING:
@@ -109,7 +110,11 @@ def _arrive(url: str | None, read_only: bool, drawing: str | None, debug: bool) 
     except LinkError as problem:
         assert bridge is not None
         raise LinkError(
-            f"{problem}. Each step of the way: fleet-tui doctor --url {bridge.shown}"
+            Message(
+                "{problem}. Each step of the way: fleet-tui doctor --url {shown}",
+                problem=problem,
+                shown=bridge.shown,
+            )
         ) from problem
     if site is not None:
         certain = bool(site.config.robots) and not (site.choices or site.lacks)

@@ -12,6 +12,7 @@ from fleet_tui.model.events import Event
 from fleet_tui.model.set_up.driving import HandDrive
 from fleet_tui.state.store import Store
 from fleet_tui.state.streams import Streams
+from fleet_tui.text.language import EMPTY, Message
 
 if TYPE_CHECKING:
     from fleet_tui.client.tap import Tap
@@ -22,7 +23,7 @@ class Backend(Protocol):
     """Feeds the store, and takes the operator's requests. Callable from any thread."""
 
     @property
-    def refusal(self) -> str:
+    def refusal(self) -> Message:
         """Return the reason that no command may ever be sent, empty if some may."""
 
     @property
@@ -45,10 +46,10 @@ class Backend(Protocol):
     def open(self) -> None:
         """Start to feed the store. May take long: called in a thread of its own."""
 
-    def submit(self, *commands: Command) -> str:
+    def submit(self, *commands: Command) -> Message:
         """Send the commands of a request now or not at all. Returns the reason that none can be tried."""
 
-    def post(self, event: Event) -> str:
+    def post(self, event: Event) -> Message:
         """Apply an event from outside the link. Returns the reason that it is rejected."""
 
     def show_map(self, robot: str, floor: str) -> None:
@@ -119,7 +120,7 @@ def connect_live(
 class LiveBackend:
     """The live fleet. Until its links are open nothing is sent; subscriptions are made then."""
 
-    refusal = ""
+    refusal = EMPTY
 
     def __init__(self, config: Config, store: Store, connect: Connect = connect_live) -> None:
         self._config = config
@@ -151,24 +152,24 @@ class LiveBackend:
         """Return the counters of each link, empty before they are open."""
         return self.links.counters if self.links is not None else {}
 
-    def submit(self, *commands: Command) -> str:
+    def submit(self, *commands: Command) -> Message:
         """Send the commands of a request now, or return the reason not to."""
         if self.links is None:
-            return "not sent: console starting"
+            return Message("not sent: console starting")
         self.links.submit_all(commands)
-        return ""
+        return EMPTY
 
     def drive(self, robot: str) -> HandDrive:
         """Begin to drive a robot by hand. Raises CommandError."""
         if self.links is None:
-            raise CommandError("console starting")
+            raise CommandError(Message("console starting"))
         return self.links.drive(robot)
 
-    def post(self, event: Event) -> str:
+    def post(self, event: Event) -> Message:
         """Apply an event, none before the links are open."""
         if self.links is not None:
             self.links.post(event)
-        return ""
+        return EMPTY
 
     def watch(self, robot: str, key: str) -> None:
         """Subscribe to a stream of a robot."""

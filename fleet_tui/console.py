@@ -42,7 +42,7 @@ from fleet_tui.terminal.detect import (
 )
 from fleet_tui.terminal.lean_app import LeanApp
 from fleet_tui.terminal.terminal_driver import PlainDriver
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message, counted
 from fleet_tui.themes import FleetTheme, load_themes
 from fleet_tui.view.map.drawing import Drawing
 
@@ -62,7 +62,7 @@ def _refuse(config: Config, themes: Mapping[str, FleetTheme]) -> None:
     if config.ui.theme not in themes:
         near = did_you_mean(config.ui.theme, themes)
         refused.append(
-            Message("ui.theme: unknown theme {theme}{near}", theme=f"{config.ui.theme!r}", near=Message(near))
+            Message("ui.theme: unknown theme {theme}{near}", theme=f"{config.ui.theme!r}", near=near)
         )
     if refused:
         raise ConfigError([f"{config.path}: {line}" for line in refused])
@@ -95,7 +95,7 @@ def open_console(
 def _first_steps(config: Config) -> str:
     """Return what a newcomer to the simulated fleet can try: its floors have these places."""
     if config.operator.read_only:
-        return "simulated fleet, read-only"
+        return Message("simulated fleet, read-only")
     order, *_ = keymap(config.keys)[0]["order"]
     return Message(
         "simulated fleet. Try an order: {key_name}, type Base, Enter, type Cons, Enter",
@@ -111,15 +111,13 @@ def _arrived(config: Config, site: "DiscoveredSite | None") -> str:
             "master control on {masters}: ways by the graph, no traffic control", masters=", ".join(masters)
         )
     if site is not None:
-        return Message(
-            "{shown}: {summary}. :save keeps it", shown=Message(site.bridge.shown), summary=site.summary
-        )
+        return Message("{shown}: {summary}. :save keeps it", shown=site.bridge.shown, summary=site.summary)
     count = len(config.robots)
-    told = f"{count} robot{'s' * (count != 1)}"
+    told = counted("{count} robot", "{count} robots", count)
     if config.path.parent != Path.cwd():
         return f"{config.path}: {told}"
     return Message(
-        "./{name}: {told}. fleet-tui demo shows a simulated fleet", name=config.path.name, told=Message(told)
+        "./{name}: {told}. fleet-tui demo shows a simulated fleet", name=config.path.name, told=told
     )
 
 
@@ -150,8 +148,8 @@ def _files(
 
     drafts = partial(draft_of, state_folder(), config, demo)
     files = ConsoleFiles(open_them, pack, saving, drafts, graph_file, state_folder())
-    files.refusal = READ_ONLY if config.operator.read_only else ""
-    files.naming_refusal = files.refusal or (IN_A_TAB if IN_BROWSER in os.environ else "")
+    files.refusal = READ_ONLY if config.operator.read_only else EMPTY
+    files.naming_refusal = files.refusal or (IN_A_TAB if IN_BROWSER in os.environ else EMPTY)
     return files
 
 
@@ -250,7 +248,7 @@ def replaying(
     *,
     colour: bool = True,
     terminal: str = "",
-    message: str = "",
+    message: Message = EMPTY,
 ) -> FleetApp:
     """Return the app on a recording: nothing is sent, and no alarm calls."""
     from fleet_tui.controllers.replay import Replay

@@ -17,6 +17,7 @@ from fleet_tui.config.schema import Config, Link, Notify, RoutinesConfig
 from fleet_tui.errors import FleetError
 from fleet_tui.simulator.kinds import KINDS
 from fleet_tui.simulator.site import MIXED, SitedBridge, needs_graph_files, site_of
+from fleet_tui.text.language import Message
 
 # Maximum seconds for the simulator to end by itself.
 PATIENCE = 1.0
@@ -43,7 +44,7 @@ def simulated(
         try:
             urls = [child.stdout.readline().decode().strip() for _ in range(_servers(kind, robots))]
             if not all(url.startswith(("ws://", "mqtt://")) for url in urls):
-                raise FleetError("the simulator did not start: run `fleet-tui sim` for the reason")
+                raise FleetError(Message("the simulator did not start: run `fleet-tui sim` for the reason"))
             yield urls
         finally:
             child.terminate()

@@ -3,16 +3,21 @@
 from collections.abc import Iterable
 from difflib import get_close_matches
 
+from fleet_tui.text.language import EMPTY, Message, joined, verbatim
+
 
 class FleetError(Exception):
     """Base of every error the program raises on purpose."""
+
+    def __init__(self, text: Message) -> None:
+        super().__init__(text)
 
 
 class ConfigError(FleetError):
     """One or more problems in the configuration; `problems` holds one line each."""
 
     def __init__(self, problems: list[str]) -> None:
-        super().__init__("\n".join(problems))
+        super().__init__(joined("\n", problems))
         self.problems = problems
 
 
@@ -21,7 +26,10 @@ class NoConfigError(ConfigError):
 
 
 class WireError(FleetError):
-    """A message that does not match the profile."""
+    """A message that does not match the profile; its text is for the log, in English."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__(verbatim(text))
 
 
 class LinkError(FleetError):
@@ -51,14 +59,14 @@ def is_address(word: str) -> bool:
     return is_host or "://" in word or bool(host and colon and rest.partition("/")[0].isdecimal())
 
 
-def did_you_mean(word: str, known: Iterable[str]) -> str:
+def did_you_mean(word: str, known: Iterable[str]) -> Message:
     """Return `, did you mean NAME?` if a known name is similar, in any case."""
     names = {name.casefold(): name for name in sorted(known)}
     # The search for similar names takes time with the square of the length.
     near = get_close_matches(word[:80].casefold(), names, n=1, cutoff=0.5)
-    return f", did you mean {names[near[0]]}?" if near else ""
+    return Message(", did you mean {names}?", names=names[near[0]]) if near else EMPTY
 
 
-STOPPED = "server not responding"
-UNANSWERED = "reached, but no answer"
+STOPPED = Message("server not responding")
+UNANSWERED = Message("reached, but no answer")
 """Why there is no connection if its port takes connections, and nothing is ever answered, or not any more."""

@@ -1,17 +1,16 @@
-"""The languages of the screen: one catalogue each, `locales/LANGUAGE.po`."""
+"""The languages of the screen: one catalogue each, `locales/LANGUAGE/LC_MESSAGES/fleet_tui.po`, compiled when
+the program is built."""
 
+from gettext import NullTranslations, translation
 from pathlib import Path
 
-from fleet_tui.text.language import Catalogue, read_catalogue, speak
+from fleet_tui.text.language import speak
 
 ENGLISH = "en"
 """The language of the texts in the code: it has no catalogue."""
+LOCALES = Path(__file__).with_name("locales")
 
 
 def use_language(language: str) -> None:
     """Show all texts of this process in a language."""
-    if language == ENGLISH:
-        speak(None)
-        return
-    file = Path(__file__).with_name("locales") / f"{language}.po"
-    speak(Catalogue(read_catalogue(file.read_text(encoding="utf-8"))))
+    speak(NullTranslations() if language == ENGLISH else translation("fleet_tui", LOCALES, [language]))

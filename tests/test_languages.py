@@ -10,12 +10,8 @@ from hypothesis import strategies as st
 
 from fleet_tui.config.schema import Ui
 from fleet_tui.languages import ENGLISH, use_language
-from fleet_tui.text.language import FIGURES, Catalogue, Message, is_guessed, read_catalogue, tr
-from tests.support.screen_texts import ROOT, texts
-
-LANGUAGES = sorted(path.stem for path in (ROOT / "locales").glob("*.po"))
-COMPOSED = "\n# composed\n"
-"""The part of a file with messages that are put together from parts, which the collection does not see."""
+from fleet_tui.text.language import Message, counted, joined, tr, translate, verbatim
+from tests.support.catalogues import LANGUAGES, LOCALES, catalogue, extracted, translations
 
 
 @pytest.fixture(autouse=True)
@@ -29,33 +25,35 @@ def places(message: str) -> list[str]:
     return re.findall(r"\{(\w+)\}", message)
 
 
-def file_of(language: str) -> str:
-    return (ROOT / "locales" / f"{language}.po").read_text(encoding="utf-8")
-
-
-def test_the_configuration_accepts_english_and_each_file() -> None:
+def test_the_configuration_accepts_english_and_each_catalogue() -> None:
     assert sorted(typing.get_args(typing.get_type_hints(Ui)["language"])) == sorted([ENGLISH, *LANGUAGES])
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
-def test_every_text_of_the_screen_has_a_translation(language: str) -> None:
-    assert sorted(texts() - read_catalogue(file_of(language)).keys()) == []
+def test_every_message_of_the_code_has_a_translation_and_no_other(language: str) -> None:
+    known = {message.id for message in catalogue(language) if message.id}
+    assert [message for message in extracted() if message not in known] == []
+    assert [message for message in known if message not in extracted()] == []
+    assert [one for one, text in translations(language).items() if one and not text] == []
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_a_translation_has_the_places_of_its_message(language: str) -> None:
-    messages = read_catalogue(file_of(language))
-    wrong = [(one, text) for one, text in messages.items() if sorted(places(one)) != sorted(places(text))]
+    wrong = [
+        (one, text)
+        for one, text in translations(language).items()
+        if sorted(places(one)) != sorted(places(text))
+    ]
     assert wrong == []
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
-def test_no_message_is_there_twice_or_without_a_use(language: str) -> None:
-    text = file_of(language)
-    assert text.count("\nmsgid ") - 1 == len(read_catalogue(text))
-    collected, composed = text.split(COMPOSED)
-    assert sorted(set(read_catalogue(collected)) - texts()) == []
-    assert read_catalogue(composed).keys() == read_catalogue(file_of("de").split(COMPOSED)[1]).keys()
+def test_what_is_compiled_is_the_catalogue(language: str) -> None:
+    compiled = LOCALES / language / "LC_MESSAGES" / "fleet_tui.mo"
+    assert compiled.is_file(), "compile it: make messages"
+    use_language(language)
+    texts = {one: tr(one) for one in translations(language) if not places(one)}
+    assert texts == {one: text for one, text in translations(language).items() if one in texts}
 
 
 def test_a_language_is_used_until_another_one_is() -> None:
@@ -65,27 +63,6 @@ def test_a_language_is_used_until_another_one_is() -> None:
     assert tr("no link") == "keine Verbindung"
     use_language(ENGLISH)
     assert tr("no link") == "no link"
-
-
-@pytest.mark.parametrize("language", LANGUAGES)
-def test_messages_of_one_shape_have_translations_of_one_shape(language: str) -> None:
-    """A text does not tell which of them it is: `{name} on link {link}`, `{edge} on link {floor}`."""
-    found: dict[str, set[str]] = {}
-    for one, text in read_catalogue(file_of(language)).items():
-        if not is_guessed(one):
-            continue
-        shape = re.sub(r"\{(\w+)\}", lambda place: FIGURES.get(place[1], "*"), one)
-        for number, place in enumerate(places(one)):
-            text = text.replace(f"{{{place}}}", f"<{number}>")
-        found.setdefault(shape, set()).add(text)
-    assert [many for many in found.values() if len(many) > 1] == []
-
-
-def test_what_people_write_and_call_things_stays_as_it_is() -> None:
-    use_language("de")
-    note = "robot_2: lost, idle"
-    assert tr(f"noted for the next shift: {note}") == f"notiert für die nächste Schicht: {note}"
-    assert "18 - no link sperren" in tr("Close 18 - no link: cuts the way of no order")
 
 
 HOSTILE = (
@@ -99,18 +76,24 @@ HOSTILE = (
 )
 
 
-@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("language", [ENGLISH, *LANGUAGES])
 def test_values_are_in_every_text_as_they_are(language: str) -> None:
-    messages = read_catalogue(file_of(language))
-    catalogue = Catalogue(messages)
+    use_language(language)
+    texts = translations(language) if language != ENGLISH else {one: one for one in translations("de")}
+    forms = [message.id for message in catalogue("de") if message.id]
 
     def assert_shown(said: str) -> None:
-        for msgid in filter(places, messages):
+        for form in forms:
+            one, many = (form, "") if isinstance(form, str) else form
             for value in ("{said}", "«{name} {said}»"):
-                values = {name: value.format(name=name, said=said) for name in places(msgid)}
-                message = Message(msgid, **values)
-                assert message == _filled(msgid, values)
-                assert catalogue.translated(message) == _filled(messages[msgid], values)
+                names = [name for name in places(one) if not many or name != "count"]
+                values = {name: value.format(name=name, said=said) for name in names}
+                if many:
+                    message, english = counted(one, many, 7, **values), many
+                else:
+                    message, english = Message(one, **values), one
+                assert message == _filled(english, {"count": "7", **values})
+                assert translate(message) == _filled(texts[english], {"count": "7", **values})
 
     for said in HOSTILE:
         assert_shown(said)
@@ -123,21 +106,15 @@ def _filled(text: str, values: dict[str, str]) -> str:
 
 def test_a_message_within_a_message_is_translated_too() -> None:
     use_language("de")
-    assert (
-        tr("{duration} late: {word}", duration="4 s", word=Message("no link"))
-        == "4 s zu spät: keine Verbindung"
-    )
-    assert tr("{duration} late: {word}", duration="4 s", word="no link") == "4 s zu spät: no link"
+    not_sent = "not sent: {problem}"
+    assert tr(not_sent, problem=Message("no link")) == "nicht gesendet: keine Verbindung"
+    assert tr(not_sent, problem="no link") == "nicht gesendet: no link"
+    both = joined(", ", [Message("no link"), Message("{duration} ago", duration="4 s")])
+    assert translate(both) == "keine Verbindung, vor 4 s"
 
 
 def test_the_words_of_a_robot_stay_as_they_are() -> None:
     use_language("de")
-    assert tr("Failed to make progress") == "Failed to make progress"
-    refused = Message("refused: {what}", what=Message("door to hall locked"))
-    assert tr(refused) == "abgelehnt: door to hall locked"
-    assert tr(Message("no link") + Message(", {age} ago", age="4 s")) == "keine Verbindung, vor 4 s"
-
-
-def test_a_figure_in_per_cent_is_no_text() -> None:
-    use_language("de")
-    assert tr("battery alarm, battery 0 %") == "Alarm Akku, Akku 0 %"
+    assert translate(verbatim("Failed to make progress")) == "Failed to make progress"
+    refused = Message("not sent: {problem}", problem="door to hall locked")
+    assert translate(refused) == "nicht gesendet: door to hall locked"

@@ -9,6 +9,7 @@ from fleet_tui.model.commands import Command, Stage
 from fleet_tui.model.events import Event
 from fleet_tui.model.kind import CAMERA, FRAMES, PATH, SCAN, Kind
 from fleet_tui.model.robot import Robot
+from fleet_tui.text.language import Message
 
 if TYPE_CHECKING:
     from fleet_tui.model.set_up.streams import StreamValue
@@ -158,7 +159,7 @@ class Adapter(Protocol):
 
     def outcome(
         self, command: Command, values: object, result: bool, status: int | None = None
-    ) -> tuple[Stage, str]:
+    ) -> tuple[Stage, Message]:
         """Return the stage of a command that an answer leads to, with the robot's own text. `result` is False
         if the bridge did not pass it on; `status` is that of a goal (action_msgs/GoalStatus), None for a
         call: of an ended order it is DONE or FAILED, of a rejected one REFUSED."""

@@ -5,11 +5,12 @@ from collections.abc import Callable
 from typing import Any
 
 from fleet_tui.errors import WireError
+from fleet_tui.text.language import Message
 from fleet_tui.text.limits import MOST_ORDERS, too_many
 
 
 def read_all(
-    read: Callable[[Any], Any], parts: list[Any], what: str, most: int, faults: list[str]
+    read: Callable[[Any], Any], parts: list[Any], what: Message, most: int, faults: list[str]
 ) -> list[Any]:
     """Return the valid ones of the first `most` elements; the errors of the others go to `faults`."""
     if len(parts) > most:

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 
 from fleet_tui.model.commands import Command, PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.set_up.commands import SetUpCommand
+from fleet_tui.text.language import EMPTY, Message, verbatim
 from fleet_tui.text.limits import truncate
 
 LONGEST_JUDGED = 100_000
@@ -38,7 +39,7 @@ def said(values: object) -> str:
 
 def judge(
     command: Command, values: object, result: bool, refusals: Sequence[re.Pattern[str]]
-) -> tuple[Stage, str]:
+) -> tuple[Stage, Message]:
     """Return the stage for the end of a call. A refusal may be in an answer to a successful call.
 
     An answer has `success`, or is a `status` text; one with neither has no meaning.
@@ -46,16 +47,16 @@ def judge(
     if not result:
         text = truncate(said(values))
         refused = _NEVER_ARRIVED.search(text) and not _THREW.search(text)
-        return (Stage.REFUSED if refused else Stage.UNKNOWN), text
+        return (Stage.REFUSED if refused else Stage.UNKNOWN), verbatim(text)
     fields = values if isinstance(values, dict) else {}
     success, detail = fields.get("success"), fields.get("status", fields.get("message"))
     if isinstance(command, SetUpCommand) and not fields:
-        return Stage.ACCEPTED, ""  # of a service that has no answer
+        return Stage.ACCEPTED, EMPTY  # of a service that has no answer
     if not isinstance(success, bool) and not ("success" not in fields and isinstance(detail, str)):
-        return Stage.UNKNOWN, f"unrecognised reply: {truncate(said(values))}"
+        return Stage.UNKNOWN, Message("unrecognised reply: {reply}", reply=truncate(said(values)))
     text = detail if isinstance(detail, str) else ""
     already = _ALREADY.get(type(command))
     if already is not None and already.search(text, 0, LONGEST_JUDGED):
-        return Stage.ACCEPTED, truncate(text)
+        return Stage.ACCEPTED, verbatim(truncate(text))
     declined = success is False or any(pattern.search(text, 0, LONGEST_JUDGED) for pattern in refusals)
-    return (Stage.REFUSED if declined else Stage.ACCEPTED), truncate(text)
+    return (Stage.REFUSED if declined else Stage.ACCEPTED), verbatim(truncate(text))

@@ -30,7 +30,7 @@ from fleet_tui.state.store import Store
 from fleet_tui.storage.line_file import LineFile
 from fleet_tui.storage.worker import Worker
 from fleet_tui.storage.write_queue import WriteQueue
-from fleet_tui.text.language import in_english
+from fleet_tui.text.language import Message, in_english
 from fleet_tui.text.sanitize import sanitize
 
 LOG = logging.getLogger(__name__)
@@ -108,11 +108,11 @@ class Audit:
         return self._problem or (HANGS if self._hangs else "")
 
     @property
-    def notes(self) -> list[str]:
+    def notes(self) -> list[Message]:
         """Return notes on the log for the operator; empty while all is written."""
         if problem := self.problem:
-            return [f"audit: not written: {problem}"]
-        return [f"audit: {self.file.warning}"] if self.file.warning else []
+            return [Message("audit: not written: {problem}", problem=problem)]
+        return [Message("audit: {warning}", warning=self.file.warning)] if self.file.warning else []
 
     def watch(self, before: FleetState, after: FleetState) -> None:
         """Write the changes from one state to the next."""

@@ -4,6 +4,7 @@ from collections.abc import Iterable
 from itertools import islice
 
 from fleet_tui.model.audit_record import AuditRecord, PastAlarm
+from fleet_tui.text.language import verbatim
 
 LOOKED_AT = 20_000
 """Records that are read at most: of a long shift the newest."""
@@ -25,7 +26,7 @@ def past_alarms(newest_first: Iterable[AuditRecord], run: str, robot: str, most:
             ends[record.what] = record.time
         elif record.change.startswith("raised") and (end := ends.pop(record.what, "")):
             times = record.time[_TIME_OF_DAY], end[_TIME_OF_DAY]
-            found.append(PastAlarm(record.what, record.words, *times))
+            found.append(PastAlarm(record.what, verbatim(record.words), *times))
             if len(found) == most:
                 break
     return found

@@ -7,6 +7,7 @@ from datetime import datetime, timedelta
 
 from fleet_tui.errors import FleetError
 from fleet_tui.model.audit_record import AuditRecord
+from fleet_tui.text.language import Message
 from fleet_tui.view.tables.audit import line_text
 
 _SPAN = re.compile(r"(\d{1,6})([mhd])")
@@ -67,7 +68,9 @@ def moment(text: str, now: datetime) -> datetime:
         # Without an offset it is local time.
         return datetime.fromisoformat(text).astimezone()
     except (ValueError, OverflowError):
-        raise FleetError(f"{text!r} is not a time: use {TIME_FORMS}") from None
+        raise FleetError(
+            Message("{text} is not a time: use {time_forms}", text=f"{text!r}", time_forms=TIME_FORMS)
+        ) from None
 
 
 def search_of(typed: str, now: datetime, demo: bool = False) -> Search:

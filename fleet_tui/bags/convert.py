@@ -24,6 +24,7 @@ from fleet_tui.model.link import OF_BAG, Phase
 from fleet_tui.recording.part_file import PartFile
 from fleet_tui.recording.recording import LAST_SECOND
 from fleet_tui.recording.records import VERSION, Packer, RecordingHeader, encode, public
+from fleet_tui.text.language import Message, verbatim
 from fleet_tui.text.limits import truncate
 
 LARGEST = 128 * 2**20
@@ -56,15 +57,19 @@ def convert(path: Path, config: Config, out: Path, progress: Progress = lambda _
         try:
             file = PartFile(out, b"")
         except FileExistsError:
-            raise BagError(f"{out}: exists: choose another name, or remove it") from None
+            raise BagError(Message("{out}: exists: choose another name, or remove it", out=out)) from None
         except OSError as problem:
-            raise BagError(f"{out}: not writable: {problem.strerror}") from None
+            raise BagError(
+                Message("{out}: not writable: {strerror}", out=out, strerror=problem.strerror)
+            ) from None
         try:
             return _Conversion(bag, config, chosen, file).run(progress)
         except BaseException as problem:
             out.unlink(missing_ok=True)
             if isinstance(problem, OSError):
-                raise BagError(f"{out}: not writable: {problem.strerror}") from None
+                raise BagError(
+                    Message("{out}: not writable: {strerror}", out=out, strerror=problem.strerror)
+                ) from None
             raise
         finally:
             file.close()
@@ -98,7 +103,7 @@ class _Conversion:
                 raise
             self._report.notes.insert(0, f"read only in part: {problem}")
         if self._track is None:
-            raise BagError(f"{self._bag.path}: no message of the configured topics in it")
+            raise BagError(Message("{path}: no message of the configured topics in it", path=self._bag.path))
         self._file.end()
         progress(1.0)
         return self._finished(self._track)
@@ -161,7 +166,7 @@ class _Conversion:
 
     def _reject(self, track: Track, topic: str, text: str) -> None:
         for _, one in self._chosen.by_topic[topic]:
-            track.on_event(MessageRejected(one.robot, truncate(text)))
+            track.on_event(MessageRejected(one.robot, verbatim(truncate(text))))
 
     def _begin(self, wall: float) -> Track:
         name, config = self._bag.path.name, public(self._config)
@@ -172,7 +177,7 @@ class _Conversion:
         for loaded in load_floors(self._config):
             track.on_event(loaded)
         for robot, problem in self._chosen.refused:
-            track.on_event(MessageRejected(robot, problem))
+            track.on_event(MessageRejected(robot, verbatim(problem)))
         return track
 
     def _first_state(self, wall: float) -> FleetState:

@@ -8,6 +8,7 @@ import re
 from typing import Any
 
 from fleet_tui.bags.opening import BagError
+from fleet_tui.text.language import Message
 from fleet_tui.text.limits import LONGEST_NAME, truncate
 
 LONGEST = 500_000
@@ -52,12 +53,21 @@ def typestore(connection: Any) -> Any:
         store = get_typestore(Stores.ROS2_HUMBLE)
         if name not in store.fielddefs:
             raise BagError(
-                f"the definition of {truncate(name, LONGEST_NAME)} is not in the bag:"
-                " record as mcap, or with ROS 2 Iron or newer"
+                Message(
+                    "the definition of {truncate} is not in the bag:"
+                    " record as mcap, or with ROS 2 Iron or newer",
+                    truncate=truncate(name, LONGEST_NAME),
+                )
             )
     else:
         if len(text) > LONGEST:
-            raise BagError(f"the definition of {truncate(name, LONGEST_NAME)} has {len(text):,} characters")
+            raise BagError(
+                Message(
+                    "the definition of {truncate} has {text} characters",
+                    truncate=truncate(name, LONGEST_NAME),
+                    text=f"{len(text):,}",
+                )
+            )
         types = _of_msg(text, name) if form is MessageDefinitionFormat.MSG else _of_idl(text)
         _Check(types, name)
         store = get_typestore(Stores.EMPTY)
@@ -98,7 +108,13 @@ def _fields(text: str, owner: str) -> Fields:
         field = _FIELD.match(line)
         if field is None:
             if line and not line.startswith("@"):
-                raise BagError(f"the definition of {owner} has an invalid line: {truncate(line, 80)!r}")
+                raise BagError(
+                    Message(
+                        "the definition of {owner} has an invalid line: {truncate}",
+                        owner=owner,
+                        truncate=f"{truncate(line, 80)!r}",
+                    )
+                )
             continue
         if field["constant"]:
             continue
@@ -134,20 +150,28 @@ class _Check:
         if name in TIMES:
             return 2
         if name not in self._types or not _TYPE_NAME.fullmatch(name):
-            raise BagError(f"{self._about} lacks {truncate(name, LONGEST_NAME)}")
+            raise BagError(
+                Message("{about} lacks {truncate}", about=self._about, truncate=truncate(name, LONGEST_NAME))
+            )
         if depth > DEEPEST:
-            raise BagError(f"{self._about} is nested too deep")
+            raise BagError(Message("{about} is nested too deep", about=self._about))
         if name not in self._values:
             self._values[name] = 1 + sum(self._field(*field, depth) for field in self._types[name][1])
         if self._values[name] > MOST_VALUES:
-            raise BagError(f"{self._about} has more than {MOST_VALUES:,} values")
+            raise BagError(
+                Message(
+                    "{about} has more than {most_values} values",
+                    about=self._about,
+                    most_values=f"{MOST_VALUES:,}",
+                )
+            )
         return self._values[name]
 
     def _field(self, name: str, desc: Any, depth: int) -> int:
         from rosbags.interfaces import Nodetype
 
         if not _FIELD_NAME.fullmatch(name):
-            raise BagError(f"{self._about} has a field without a plain name")
+            raise BagError(Message("{about} has a field without a plain name", about=self._about))
         kind, what = desc
         times = 1
         if kind in (Nodetype.ARRAY, Nodetype.SEQUENCE):
@@ -157,5 +181,11 @@ class _Check:
         if kind == Nodetype.NAME:
             return times * self._message(what, depth + 1)
         if what[0] not in BASE:
-            raise BagError(f"{self._about} has {truncate(str(what[0]), 20)}, which is not supported")
+            raise BagError(
+                Message(
+                    "{about} has {truncate}, which is not supported",
+                    about=self._about,
+                    truncate=truncate(str(what[0]), 20),
+                )
+            )
         return times if what[0] == "string" else 1

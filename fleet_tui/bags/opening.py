@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from fleet_tui.errors import FleetError
+from fleet_tui.text.language import Message
 from fleet_tui.text.limits import truncate
 
 SUFFIXES = (".bag", ".db3", ".mcap")
@@ -14,7 +15,7 @@ MEMORY = 4 * 2**30
 """Maximum bytes for reading: a few bytes of a compressed bag can expand beyond all memory."""
 LARGEST_METADATA = 16 * 2**20
 """Maximum bytes of a metadata.yaml."""
-MISSING = "ROS bags need rosbags, which is not installed: pip install 'fleet-tui[bags]'"
+MISSING = Message("ROS bags need rosbags, which is not installed: pip install 'fleet-tui[bags]'")
 
 _REINDEX = "truncated or damaged: repair a ROS 1 bag with `rosbag reindex {name}`"
 _RECOVER = "truncated or damaged: repair it with `mcap recover {name} -o mended.mcap`"
@@ -88,14 +89,16 @@ def _check(path: Path) -> int:
     """Return the size of all its files, in bytes. Raises BagError for invalid ones, before any is opened."""
     try:
         if not path.exists():
-            raise BagError(f"{path}: no such file")
+            raise BagError(Message("{path}: no such file", path=path))
         files = _of_folder(path) if path.is_dir() else [path]
         for file in files:
             if not file.is_file():
-                raise BagError(f"{file}: not a file")
+                raise BagError(Message("{file}: not a file", file=file))
         return sum(file.stat().st_size for file in files)
     except OSError as problem:
-        raise BagError(f"{path}: unreadable: {problem.strerror}") from None
+        raise BagError(
+            Message("{path}: unreadable: {strerror}", path=path, strerror=problem.strerror)
+        ) from None
 
 
 def _of_folder(path: Path) -> list[Path]:
@@ -104,12 +107,27 @@ def _of_folder(path: Path) -> list[Path]:
     metadata = path / "metadata.yaml"
     if not metadata.exists():
         if not stored:
-            raise BagError(f"{path}: not a bag: no metadata.yaml, .bag, .db3 or .mcap in it")
+            raise BagError(
+                Message("{path}: not a bag: no metadata.yaml, .bag, .db3 or .mcap in it", path=path)
+            )
         names = ", ".join(file.name for file in stored[:3])
         mend = "" if stored[0].suffix == ".bag" else ", or repair it with `ros2 bag reindex`"
-        raise BagError(f"{path}: no metadata.yaml in it: name one of its files ({names}){mend}")
+        raise BagError(
+            Message(
+                "{path}: no metadata.yaml in it: name one of its files ({names}){mend}",
+                path=path,
+                names=names,
+                mend=mend,
+            )
+        )
     if metadata.stat().st_size > LARGEST_METADATA:
-        raise BagError(f"{metadata}: is larger than {LARGEST_METADATA:,} bytes: not a metadata.yaml")
+        raise BagError(
+            Message(
+                "{metadata}: is larger than {largest_metadata} bytes: not a metadata.yaml",
+                metadata=metadata,
+                largest_metadata=f"{LARGEST_METADATA:,}",
+            )
+        )
     return [file for file in inside if not file.is_dir()]
 
 
@@ -120,11 +138,15 @@ def _as_message(path: Path) -> Iterator[None]:
     except BagError:
         raise
     except MemoryError:
-        raise BagError(f"{path}: needs more than {MEMORY / 2**30:.0f} GB of memory") from None
+        raise BagError(
+            Message(
+                "{path}: needs more than {memory} GB of memory", path=path, memory=f"{MEMORY / 2**30:.0f}"
+            )
+        ) from None
     except PermissionError:
-        raise BagError(f"{path}: unreadable: Permission denied") from None
+        raise BagError(Message("{path}: unreadable: Permission denied", path=path)) from None
     except Exception as problem:  # noqa: BLE001  # a damaged bag leads rosbags into errors of every kind
-        raise BagError(f"{path}: {_message(path, problem)}") from None
+        raise BagError(Message("{path}: {message}", path=path, message=_message(path, problem))) from None
 
 
 def _message(path: Path, problem: Exception) -> str:

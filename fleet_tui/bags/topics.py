@@ -11,6 +11,7 @@ from fleet_tui.config.fleet import adapters_of, feeds_of
 from fleet_tui.config.schema import Config
 from fleet_tui.errors import did_you_mean
 from fleet_tui.state.reducer import LIVE_MAPS_KEPT
+from fleet_tui.text.language import Message
 from fleet_tui.text.limits import LONGEST_NAME, truncate
 
 NAMED = 5
@@ -37,15 +38,15 @@ def choose(bag: Bag, config: Config) -> Chosen:
     wanted = _wanted(config, adapters)
     there = {one.topic: plain_type(one.msgtype) for one in bag.connections}
     if not there:
-        raise BagError(f"{bag.path}: empty: no topics in it")
+        raise BagError(Message("{path}: empty: no topics in it", path=bag.path))
     if not wanted:
-        raise BagError("no robots in the configuration: add [[robots]]")
+        raise BagError(Message("no robots in the configuration: add [[robots]]"))
     chosen = Chosen(by_topic={topic: ones for topic, ones in wanted.items() if topic in there})
     for connection in bag.connections:
         _take(chosen, connection, adapters)
     _leave_maps(chosen)
     if not chosen.connections:
-        raise BagError(f"{bag.path}: {_nothing(chosen, wanted, there)}")
+        raise BagError(Message("{path}: {nothing}", path=bag.path, nothing=_nothing(chosen, wanted, there)))
     chosen.notes += [*_absent(config, wanted, there), *_missing(wanted, there), *_unasked(wanted, there)]
     return chosen
 

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image, UnidentifiedImageError
 
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message, verbatim
 from fleet_tui.text.limits import truncate
 from fleet_tui.text.sanitize import sanitize
 
@@ -28,7 +28,7 @@ class Decoded(NamedTuple):
 
     pixels: Pixels | None
     size: tuple[int, int] = (0, 0)
-    reason: str = ""
+    reason: Message = EMPTY
 
 
 def decode(data: bytes, width: int, height: int) -> Decoded:
@@ -50,14 +50,12 @@ def decode(data: bytes, width: int, height: int) -> Decoded:
                 )
             return Decoded(_scaled(image, max(width, 1), max(height, 1)), size)
     except UnidentifiedImageError:
-        return Decoded(None, reason="unreadable: cut off, or neither JPEG nor PNG")
+        return Decoded(None, reason=Message("unreadable: cut off, or neither JPEG nor PNG"))
     except Image.DecompressionBombError:
         return Decoded(None, reason=Message("exceeds {MOST_PIXELS} px", MOST_PIXELS=f"{MOST_PIXELS:,}"))
     except Exception as problem:  # noqa: BLE001  # hostile bytes: decoders raise what no list has in full
-        text = sanitize(truncate(str(problem), LONGEST_REASON))
-        return Decoded(
-            None, reason=Message("unreadable: {text}", text=Message(text or type(problem).__name__))
-        )
+        text = sanitize(verbatim(truncate(str(problem), LONGEST_REASON)))
+        return Decoded(None, reason=Message("unreadable: {text}", text=text or type(problem).__name__))
 
 
 def _scaled(image: Image.Image, width: int, height: int) -> Pixels:

@@ -12,6 +12,7 @@ from fleet_tui.audit.reader import AuditReader
 from fleet_tui.audit.search import search_of
 from fleet_tui.errors import FleetError
 from fleet_tui.log_file import state_folder
+from fleet_tui.text.language import Message
 from fleet_tui.view.tables.audit import line_text
 
 
@@ -36,7 +37,9 @@ def write_records(typed: str, as_csv: bool, demo: bool, out: TextIO) -> str:
     except OSError as problem:
         if problem.errno in (errno.ENOSPC, errno.EDQUOT):
             raise  # by the output: the log is only read
-        raise FleetError(f"{reading.path}: {problem.strerror}") from None
+        raise FleetError(
+            Message("{path}: {strerror}", path=reading.path, strerror=problem.strerror)
+        ) from None
     notes = [reading.note] if reading.note else []
     notes += [] if count else ["no matching record"]
     return f"{reading.path}: {', '.join(notes)}" if notes else ""

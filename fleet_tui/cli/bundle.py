@@ -7,6 +7,7 @@ from fleet_tui.errors import FleetError
 from fleet_tui.log_file import state_folder
 from fleet_tui.recording.incident import FOLDER, RECORDING, SPAN, Incident, collect
 from fleet_tui.recording.recordings import recent_runs
+from fleet_tui.text.language import Message
 
 
 def pack(config: Config, report: str, kind: str) -> str:
@@ -23,4 +24,6 @@ def pack(config: Config, report: str, kind: str) -> str:
         return f"for the ticket: {incident.write(state_folder() / FOLDER)}"
     except OSError as problem:
         why = f"{problem.strerror or problem} ({state_folder()})"
-        raise FleetError(f"cannot write the archive: {why}; set XDG_STATE_HOME to another folder") from None
+        raise FleetError(
+            Message("cannot write the archive: {why}; set XDG_STATE_HOME to another folder", why=why)
+        ) from None

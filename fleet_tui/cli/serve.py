@@ -10,6 +10,7 @@ from fleet_tui.config.rights import own_rights
 from fleet_tui.errors import ConfigError, FleetError, NoConfigError
 from fleet_tui.log_file import log_to_file
 from fleet_tui.model.problem import Right
+from fleet_tui.text.language import Message
 
 
 @click.group(cls=NearestGroup)
@@ -54,7 +55,9 @@ def serve(
         from fleet_tui.serve.run import run
     except ModuleNotFoundError as missing:
         needed = "pip install 'textual-serve==1.1.3', or fleet-tui with its extra: 'fleet-tui[serve]'"
-        raise FleetError(f"serve needs {missing.name}, which is not installed: {needed}") from missing
+        raise FleetError(
+            Message("serve needs {name}, which is not installed: {needed}", name=missing.name, needed=needed)
+        ) from missing
     click.echo(_said(allow_commands), err=True)
     run(command, host, port, debug, click.echo, lambda line: click.echo(line, err=True))
 

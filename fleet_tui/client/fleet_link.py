@@ -29,13 +29,14 @@ from fleet_tui.model.request import given_now
 from fleet_tui.model.set_up.driving import HandDrive
 from fleet_tui.rules.commands.rights import right_for
 from fleet_tui.state.store import Store
+from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.transports.loop import call_now
 
 LOG = logging.getLogger(__name__)
 
 # request_id is an int32 on the wire: each console and each run starts anywhere in its lower half.
 ID_SPAN = 2**30
-FAILED = "internal error: see the log file"
+FAILED = Message("internal error: see the log file")
 HANDOVER = 0.005
 """Maximum seconds to wait for the network thread to take a request."""
 
@@ -131,9 +132,11 @@ class FleetLink:
         else:
             self._send(command_id, command, given_at)
 
-    def _refusal(self, needed: Right) -> str:
+    def _refusal(self, needed: Right) -> Message:
         """Return the reason to send nothing that needs a right: the last gate, whatever asked for it."""
-        return self._rights.refusal(needed) or ("this console is read-only" if self._read_only else "")
+        return self._rights.refusal(needed) or (
+            Message("this console is read-only") if self._read_only else EMPTY
+        )
 
     def _queue_or_send(self, command_id: int, command: Command, given_at: float) -> None:
         if not self._waiting_orders.handles(command_id, command, given_at):
@@ -160,11 +163,11 @@ class FleetLink:
         """Begin to drive a robot by hand; a drive before it ends. Raises CommandError."""
         if reason := self._refusal(Right.SETUP):
             raise CommandError(reason)
-        self._end_drive("another drive")
+        self._end_drive(Message("another drive"))
         self._drive = self.links[self._store.state.robots[robot].link].drive(robot)
         return self._drive
 
-    def _end_drive(self, reason: str) -> None:
+    def _end_drive(self, reason: Message) -> None:
         if self._drive is not None:
             self._drive.end(reason)
 
@@ -181,7 +184,7 @@ class FleetLink:
 
     def close(self) -> None:
         """Close every connection, that of a drive first."""
-        self._end_drive("console closed")
+        self._end_drive(Message("console closed"))
         for link in self.links.values():
             link.close()
         self._writer.loop.call_soon_threadsafe(self._waiting_orders.close)

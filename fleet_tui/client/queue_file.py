@@ -9,7 +9,7 @@ import msgspec
 from fleet_tui.model.order import Stop
 from fleet_tui.storage.lock import LockFile, owner_of
 from fleet_tui.storage.whole_file import replacing
-from fleet_tui.text.language import Message, in_english
+from fleet_tui.text.language import Message, from_english, in_english
 
 FILE = "queue.json"
 LOCK = "queue.lock"
@@ -48,7 +48,7 @@ class QueueFile:
         except OSError as problem:
             self.problem = f"{self._lock.path}: {problem.strerror}"
             return True
-        self.owner = self._me if is_mine else owner_of(self._lock.path) or "another console"
+        self.owner = self._me if is_mine else owner_of(self._lock.path) or Message("another console")
         return is_mine
 
     def load(self) -> list[WaitingOrder]:
@@ -57,12 +57,14 @@ class QueueFile:
             return []
         try:
             with path.open("rb") as file:
-                return msgspec.json.decode(file.read(LARGEST), type=list[WaitingOrder])
+                return msgspec.json.decode(file.read(LARGEST), type=list[WaitingOrder], dec_hook=from_english)
         except FileNotFoundError:
             return []
         except (OSError, msgspec.MsgspecError) as problem:
             aside = path.with_suffix(".unreadable")
-            self.problem = f"{path} unreadable ({problem}): kept as {aside.name}"
+            self.problem = Message(
+                "{path} unreadable ({problem}): kept as {name}", path=path, problem=problem, name=aside.name
+            )
             try:
                 path.replace(aside)
             except OSError as error:

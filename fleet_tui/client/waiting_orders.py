@@ -127,39 +127,39 @@ class WaitingOrders:
                 return True
         return False
 
-    def _enqueue(self, robot: Robot) -> tuple[Stage, str]:
+    def _enqueue(self, robot: Robot) -> tuple[Stage, Message]:
         if len(waiting(self._store.state, robot)) >= MOST_WAITING:
             return Stage.NOT_SENT, Message(
                 "{name} has {MOST_WAITING} orders waiting here, the maximum",
                 name=robot.name,
                 MOST_WAITING=MOST_WAITING,
             )
-        busy = "is paused" if robot.paused_by_us else "has an order"
+        busy = Message("is paused") if robot.paused_by_us else Message("has an order")
         if self._file is None:
             detail = Message(
                 "{name} {busy} and has no queue: order from a console, or wait",
                 name=robot.name,
-                busy=Message(busy),
+                busy=busy,
             )
             return Stage.NOT_SENT, detail
         if not self._claim(self._file):
             return Stage.NOT_SENT, Message(
                 "{name} {busy}, and {owner} keeps the queue",
                 name=robot.name,
-                busy=Message(busy),
-                owner=Message(self._file.owner),
+                busy=busy,
+                owner=self._file.owner,
             )
-        return Stage.WAITING, Message(
-            "in the queue of this console ({owner})", owner=Message(self._file.owner)
-        )
+        return Stage.WAITING, Message("in the queue of this console ({owner})", owner=self._file.owner)
 
     def _confirm(self, command_id: int, at: float) -> None:
         """Report a cancellation of what only this console had."""
         for stage in (Stage.SENT, Stage.ACCEPTED, Stage.CONFIRMED):
-            self._apply(CommandAdvanced(command_id, stage, at, "was waiting here"))
+            self._apply(CommandAdvanced(command_id, stage, at, Message("was waiting here")))
 
     def _drop(self, record: CommandRecord, at: float) -> None:
-        self._apply(CommandAdvanced(record.id, Stage.CANCELLED, at, "by this console before it was sent"))
+        self._apply(
+            CommandAdvanced(record.id, Stage.CANCELLED, at, Message("by this console before it was sent"))
+        )
 
     def tick(self, now: float) -> None:
         """Send the orders that may leave, and save the waiting ones. Called with each tick."""

@@ -12,6 +12,7 @@ from fleet_tui.config.schema import NOT_IN_FILE, Config, expanded
 from fleet_tui.config.trust import written_file
 from fleet_tui.errors import FleetError
 from fleet_tui.storage.whole_file import write_whole
+from fleet_tui.text.language import Message
 
 
 def _value(value: object) -> str:
@@ -71,7 +72,9 @@ class Saving:
     def write(self, name: str) -> Path:
         """Write it, overwriting any file, and return the path. Raises FleetError."""
         if self._config.withheld:
-            raise FleetError(f"not saved, parts of it are off: {self._config.withheld[0]}")
+            raise FleetError(
+                Message("not saved, parts of it are off: {withheld}", withheld=self._config.withheld[0])
+            )
         # In a copy elsewhere the names of files must still be valid.
         text = as_toml(self._config.whole()) if self._source is None else self._source.text
         path = write_config(text, name)
@@ -85,8 +88,8 @@ def write_config(text: str, name: str) -> Path:
     try:
         path = written_file(path)
         if path.is_dir():
-            raise FleetError(f"{name}: is a folder: name a file")
+            raise FleetError(Message("{name}: is a folder: name a file", name=name))
         write_whole(path, text.encode())
     except OSError as problem:
-        raise FleetError(f"{name}: {problem.strerror}") from None
+        raise FleetError(Message("{name}: {strerror}", name=name, strerror=problem.strerror)) from None
     return path

@@ -11,6 +11,7 @@ from fleet_tui.adapters.profile import DriveConfig, Profile
 from fleet_tui.config.entries import DEFAULT_LINK, FloorEntry, Positive, RobotEntry
 from fleet_tui.config.programs import ProgramEntry
 from fleet_tui.rules.rates.attention import Rates
+from fleet_tui.text.language import EMPTY, Message
 
 S = TypeVar("S", bound=msgspec.Struct)
 
@@ -201,7 +202,7 @@ class Config(msgspec.Struct, frozen=True):
     profile: Profile = Profile()
     profiles: dict[str, Profile] = {}
     path: Path = Path()
-    doubt: str = ""
+    doubt: Message = EMPTY
     withheld: list[str] = []
     watches: bool = False
 

@@ -18,6 +18,7 @@ from pathlib import Path
 import platformdirs
 
 from fleet_tui.config.small_file import read_text
+from fleet_tui.text.language import EMPTY, Message
 
 ROOT = 0
 """The user id of root."""
@@ -33,7 +34,7 @@ _trusted: set[str] = set()
 """The digests of what is trusted in this process, also where they can't be written."""
 
 
-def doubt(path: Path, owner: int | None = None, is_for_group: bool = False) -> str:
+def doubt(path: Path, owner: int | None = None, is_for_group: bool = False) -> Message:
     """Return how somebody else than `owner` (by default the user of this process) and root could have written
     a file, or can while it does not exist, with the remedy; empty if nobody could.
 
@@ -41,25 +42,38 @@ def doubt(path: Path, owner: int | None = None, is_for_group: bool = False) -> s
     """
     owners = {ROOT, os.geteuid() if owner is None else owner}
     names = [user_name(one) for one in sorted(owners, reverse=True)]
-    shared = ""
+    shared = EMPTY
     # How others may write to the present folder, in which nobody can replace the files of another user.
     for place, status, is_last in _way(path.absolute()):
         if status is None:
-            return f"{place} does not exist, and others could make it: {shared}" if shared else ""
+            return (
+                Message(
+                    "{place} does not exist, and others could make it: {shared}", place=place, shared=shared
+                )
+                if shared
+                else EMPTY
+            )
         for_group = is_for_group and is_last
         if status.st_uid not in owners and not (for_group and _is_of(status.st_uid, status.st_gid)):
             link = "-h " if stat.S_ISLNK(status.st_mode) else ""
-            return f"{place} is not owned by {' or '.join(names)}: chown {link}{names[0]} {place}"
+            return Message(
+                "{place} is not owned by {names}: chown {link}{names2} {place2}",
+                place=place,
+                names=" or ".join(names),
+                link=link,
+                names2=names[0],
+                place2=place,
+            )
         if stat.S_ISLNK(status.st_mode):  # its mode says nothing
             continue
-        shared = ""
+        shared = EMPTY
         if status.st_mode & stat.S_IWOTH:
-            shared = f"{place} is writable by everyone: chmod o-w {place}"
+            shared = Message("{place} is writable by everyone: chmod o-w {place2}", place=place, place2=place)
         elif status.st_mode & stat.S_IWGRP and not for_group and _lets_others(place, status, names):
-            shared = f"{place} is writable by others: chmod g-w {place}"
+            shared = Message("{place} is writable by others: chmod g-w {place2}", place=place, place2=place)
         if shared and not (stat.S_ISDIR(status.st_mode) and status.st_mode & stat.S_ISVTX):
             return shared
-    return ""
+    return EMPTY
 
 
 def doubt_of_content(path: Path, text: str) -> str:

@@ -10,6 +10,7 @@ from fleet_tui.config.programs import ProgramEntry
 from fleet_tui.config.schema import LINK_FILES, SECRETS, Config, DeskConfig, Link, Notify
 from fleet_tui.config.small_file import read_text
 from fleet_tui.config.trust import accept, doubt, doubt_of_content
+from fleet_tui.text.language import EMPTY, Message
 
 TRUST = "--trust-config trusts what is in it now"
 OFF = "no notify, programs, routines, credentials, desk, control of vehicles, sent graphs"
@@ -18,9 +19,9 @@ LARGEST = 40_000_000
 CREDENTIALS = (*(key for key in LINK_FILES if key != "ca_file"), *(f"{key}_env" for key in SECRETS))
 
 
-def or_trusted(doubt: str) -> str:
+def or_trusted(doubt: str) -> Message:
     """Return a doubt with the remedy that only contents have."""
-    return f"{doubt}; or {TRUST}"
+    return Message("{doubt}; or {trust}", doubt=doubt, trust=TRUST)
 
 
 def safe(config: Config, text: str) -> Config:
@@ -54,9 +55,9 @@ def _with_safe_files(config: Config) -> Config:
     told += [f"program {name} is off: {found}" for name, found in doubts.items() if found]
     graphs = [config.beside(floor.graph) for floor in config.floors if floor.graph]
     is_master = any(link.role == "master" for link in (config.rosbridge, *config.links.values()))
-    if is_master and (found := next(_doubts_of_contents(graphs), "")):
+    if is_master and (unsafe := next(_doubts_of_contents(graphs), "")):
         config = _with_links(config, _only_watched)
-        told.append(f"vehicles are only watched: {or_trusted(found)}")
+        told.append(f"vehicles are only watched: {or_trusted(unsafe)}")
     told += [
         f"routines are off: {or_trusted(found)}"
         for found in dict.fromkeys(_doubts_of_contents(sorted(config.routine_folder.glob("*.routine"))))
@@ -70,7 +71,7 @@ def _with_safe_files(config: Config) -> Config:
     )
 
 
-def doubt_of_command(arguments: Sequence[str], folder: Path) -> str:
+def doubt_of_command(arguments: Sequence[str], folder: Path) -> Message:
     """Return how somebody else could have written the program of a command, or a file or folder among its
     arguments, also behind `=`; names that PATH finds are the user's own choice."""
     program = arguments[0] if arguments else ""
@@ -81,7 +82,7 @@ def doubt_of_command(arguments: Sequence[str], folder: Path) -> str:
         is_program = name == program and "/" in name  # it may come to be there only later
         if (is_program or os.path.lexists(file)) and (found := doubt(file)):
             return found
-    return ""
+    return EMPTY
 
 
 def doubt_of_program(program: ProgramEntry) -> str:

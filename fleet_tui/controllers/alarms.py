@@ -16,7 +16,7 @@ from fleet_tui.rules.alarms.classes import action_of
 from fleet_tui.rules.routes.charging import way_to_charger
 from fleet_tui.rules.sites import of_site, sites_of
 from fleet_tui.state.store import Store
-from fleet_tui.text.language import Message, tr
+from fleet_tui.text.language import Message, counted, joined, translate
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import age
 from fleet_tui.view.tables.alarms import unacknowledged
@@ -78,7 +78,7 @@ class AlarmResponses:
         if not isinstance(key, tuple):
             return
         if time.monotonic() - self._cleared_at() < LOOK:
-            self._notices.say("another alarm has just been marked: press again for that one")
+            self._notices.say(Message("another alarm has just been marked: press again for that one"))
             return
         self._acknowledge((key[0], key[1]))
         if key in fresh and len(fresh) > 1:
@@ -89,7 +89,9 @@ class AlarmResponses:
         self._pane.listing.marks.clear()
         keys = [key for key in unacknowledged(self._store.state) if key in marks]
         if all(self._post(AlarmAcknowledged(*key)) for key in keys):
-            self._notices.say(f"acknowledged: {len(keys)} alarm{'s' * (len(keys) != 1)}")
+            self._notices.say(
+                counted("acknowledged: {count} alarm", "acknowledged: {count} alarms", len(keys))
+            )
 
     def _acknowledge(self, key: Key) -> None:
         fresh = key in unacknowledged(self._store.state)
@@ -113,7 +115,7 @@ class AlarmResponses:
         if isinstance(key, tuple):
             self.menu(key[0], key[1])
         else:
-            self._notices.say("no alarm")
+            self._notices.say(Message("no alarm"))
 
     def menu(self, source: str, kind: str) -> None:
         """List the actions for an alarm, and select its robot: what is shown is about one."""
@@ -127,7 +129,13 @@ class AlarmResponses:
         seen = Message(
             "first seen {first}, last seen {last}, x{count}", first=first, last=last, count=alarm.count
         )
-        title = f"{source}: {tr(sanitize(alarm.text))}\n{tr(action_of(alarm.condition))}\n{seen}"
+        title = Message(
+            "{source}: {text}\n{action_of}\n{seen}",
+            source=source,
+            text=translate(sanitize(alarm.text)),
+            action_of=translate(action_of(alarm.condition)),
+            seen=seen,
+        )
         # What is not always offered is last: each number means the same also after an acknowledgement.
         entries = [*self._ways_to(alarm), *self._shelve(alarm), *self._commands(alarm), *self._answers(alarm)]
         self._open_menu(title, entries)
@@ -171,10 +179,10 @@ class AlarmResponses:
 
     def _answers(self, alarm: Alarm) -> Iterator[Entry]:
         if alarm.needs_acknowledgement:
-            key = " ".join(self._keys["acknowledge"])
-            yield Message("Acknowledge ({key})", key=Message(key)), partial(self._acknowledge, alarm.key)
+            key = joined(" ", self._keys["acknowledge"])
+            yield Message("Acknowledge ({key})", key=key), partial(self._acknowledge, alarm.key)
         if alarm.stage is AlarmStage.SHELVED:
-            yield "Unshelve", partial(self._post, AlarmUnshelved(*alarm.key))
+            yield Message("Unshelve"), partial(self._post, AlarmUnshelved(*alarm.key))
 
     def _shelve(self, alarm: Alarm) -> Iterator[Entry]:
         state = self._store.state

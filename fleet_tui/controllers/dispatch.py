@@ -20,11 +20,11 @@ from fleet_tui.rules.commands.local_queue import hold_all
 from fleet_tui.rules.commands.rights import not_allowed
 from fleet_tui.rules.commands.subject import Subject, subject_of, what_changed
 from fleet_tui.state.store import Store
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message, joined
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.questions import losses, question
 
-Prepare = Callable[[], str]
+Prepare = Callable[[], Message]
 """Prepares a request that is about to be sent. Returns the reason not to send it, empty if there is none."""
 Ask = Callable[[Callable[[], str], Callable[[], None]], None]
 """Asks a question until it is empty, and calls the next step only after a yes."""
@@ -61,11 +61,11 @@ class Dispatch:
             return
         armed = not self.permissions.armed
         self.permissions = replace(self.permissions, armed=armed)
-        for hold in () if armed else hold_all(self._store.state, "this console is not armed"):
+        for hold in () if armed else hold_all(self._store.state, Message("this console is not armed")):
             self._backend.post(hold)
-        self._notices.say("this console is armed" if armed else "this console is not armed")
+        self._notices.say(Message("this console is armed") if armed else Message("this console is not armed"))
 
-    def set_up_refusal(self, needed: Right = Right.SETUP) -> str:
+    def set_up_refusal(self, needed: Right = Right.SETUP) -> Message:
         """Return the reason that what needs a right can't begin at this console, empty if it can."""
         if refusal := self.permissions.refusal(needed):
             return refusal
@@ -73,9 +73,11 @@ class Dispatch:
             return READ_ONLY
         return self._refusal()
 
-    def desk_refusal(self) -> str:
+    def desk_refusal(self) -> Message:
         """Return the reason that nothing may be claimed or closed from this console, empty if it may."""
-        read_only = "this console is read-only" if self.permissions.read_only else self._backend.refusal
+        read_only = (
+            Message("this console is read-only") if self.permissions.read_only else self._backend.refusal
+        )
         return self.permissions.refusal(Right.DISPATCH) or read_only
 
     def objections(self, request: Request) -> list[Problem]:
@@ -84,17 +86,17 @@ class Dispatch:
         doubts = [Problem("doubtful", request.doubt, blocks=False)] if request.doubt else []
         return [*repeated(request, self.given, time.monotonic()), *found, *doubts]
 
-    def objection(self, request: Request) -> str:
+    def objection(self, request: Request) -> Message:
         """Return the reason not to send a request, warnings aside; empty if it may be sent."""
         wrong = [problem.text for problem in self.objections(request) if problem.blocks]
         if refused := self._not_allowed(request):
             return refused
         return self._backend.refusal or (
-            Message("not sent: {wrong}", wrong=Message(sanitize(wrong[0]))) if wrong else ""
+            Message("not sent: {wrong}", wrong=sanitize(wrong[0])) if wrong else EMPTY
         )
 
-    def _not_allowed(self, request: Request) -> str:
-        return "".join(problem.text for problem in not_allowed(request.commands, self.permissions))
+    def _not_allowed(self, request: Request) -> Message:
+        return joined("", (problem.text for problem in not_allowed(request.commands, self.permissions)))
 
     def give(
         self,
@@ -102,7 +104,7 @@ class Dispatch:
         sent: Callable[[], None] = lambda: None,
         prepare: Prepare | None = None,
         asks: bool = False,
-    ) -> str:
+    ) -> Message:
         """Send a request, after a question if something is lost or has a warning, or always (`asks`); `sent`
         is called when it was sent, or waits for the first connection, `prepare` just before. One with
         `prepare` or `asks` never waits.
@@ -115,18 +117,18 @@ class Dispatch:
         problem = self._give_able(request, sent)
         if left_out and not problem:
             self._notices.note(
-                Message("not sent to {text}", text=Message("; ".join(sanitize(one.text) for one in left_out)))
+                Message("not sent to {text}", text=joined("; ", (sanitize(one.text) for one in left_out)))
             )
         return problem
 
-    def _give_able(self, request: Request, sent: Callable[[], None]) -> str:
+    def _give_able(self, request: Request, sent: Callable[[], None]) -> Message:
         may_send = (self.permissions.armed or request.only_pauses) and not self.permissions.read_only
         ready = self._startup.hold(self._store.state, request, time.monotonic()) if may_send else request
         if ready != request:
-            self._notices.note("waiting for the link")
+            self._notices.note(Message("waiting for the link"))
         if ready is None:
             sent()
-            return ""
+            return EMPTY
         return self._give_now(ready, sent)
 
     def _give_waiting(self, request: Request) -> None:
@@ -143,7 +145,7 @@ class Dispatch:
         sent: Callable[[], None],
         prepare: Prepare | None = None,
         asks: bool = False,
-    ) -> str:
+    ) -> Message:
         if problem := self.objection(request):
             return problem
         found = self.objections(request)
@@ -153,7 +155,7 @@ class Dispatch:
             self._ask(partial(self._question, request, asked), send)
         elif problem := self._send(request, sent, prepare):
             self._notices.say(problem)
-        return ""
+        return EMPTY
 
     def _question(self, request: Request, asked: Subject) -> str:
         """Return the question, empty once there is nothing to ask: the order to cancel may have ended, or may
@@ -163,10 +165,10 @@ class Dispatch:
             return ""
         return question(self._store.state, request, self.objections(request))
 
-    def withdrawn(self, request: Request, asked: Subject) -> str:
+    def withdrawn(self, request: Request, asked: Subject) -> Message:
         """Return why a question is void: it is not about what was `asked` any more. Empty while it is."""
         change = what_changed(self._store.state, request, asked)
-        return Message("not sent: {change}", change=sanitize(change)) if change else ""
+        return Message("not sent: {change}", change=sanitize(change)) if change else EMPTY
 
     def _send_after_all(
         self, request: Request, asked: Subject, sent: Callable[[], None], prepare: Prepare | None
@@ -180,18 +182,18 @@ class Dispatch:
         asked: Subject,
         sent: Callable[[], None] = lambda: None,
         prepare: Prepare | None = None,
-    ) -> str:
+    ) -> Message:
         """Send a confirmed request, checked again: the fleet may have changed during the question. Returns
         the reason that it, or a part of it, was not sent."""
         return self.objection(request) or self.withdrawn(request, asked) or self._send(request, sent, prepare)
 
-    def _refusal(self) -> str:
+    def _refusal(self) -> Message:
         """Return the reason to send nothing but pauses now."""
         if self._backend.refusal or self.permissions.armed:
             return self._backend.refusal
-        return "not sent: this console is not armed: use Arm in the palette (:)"
+        return Message("not sent: this console is not armed: use Arm in the palette (:)")
 
-    def _send(self, request: Request, sent: Callable[[], None], prepare: Prepare | None) -> str:
+    def _send(self, request: Request, sent: Callable[[], None], prepare: Prepare | None) -> Message:
         refusal = self._backend.refusal if request.only_pauses else self._refusal()
         if prepare is not None and (problem := refusal or prepare()):
             return problem
@@ -245,7 +247,7 @@ class _StartupRequest(NamedTuple):
 class StartupRequests:
     """Holds requests until the link of their robots is up, or the time limit has passed."""
 
-    def __init__(self, give: Give, refuse: Callable[[str], None]) -> None:
+    def __init__(self, give: Give, refuse: Callable[[Message], None]) -> None:
         """`refuse` is called with the reason that a request is not sent."""
         self._give = give
         self._refuse = refuse

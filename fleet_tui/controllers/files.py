@@ -4,6 +4,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from fleet_tui.text.language import EMPTY, Message
+
 if TYPE_CHECKING:
     from fleet_tui.audit.log import Audit
     from fleet_tui.config.saving import Saving
@@ -16,8 +18,8 @@ Pack = Callable[[str, Callable[[], bool]], Path]
 """From a screenshot (SVG) to the archive; ends early once cancelled. Raises OSError."""
 
 
-READ_ONLY = "not here: this console is read-only"
-IN_A_TAB = "not in a browser: whoever opens the page could name any file of this machine"
+READ_ONLY = Message("not here: this console is read-only")
+IN_A_TAB = Message("not in a browser: whoever opens the page could name any file of this machine")
 
 
 class ConsoleFiles:
@@ -43,7 +45,7 @@ class ConsoleFiles:
         self.folder = folder
         self.draft = draft
         self.graph_file = graph_file
-        self.refusal = self.naming_refusal = ""
+        self.refusal = self.naming_refusal = EMPTY
         self.audit: Audit | None = None
         self.recordings: Recordings | None = None
         self.history: HistoryWriter | None = None
@@ -63,7 +65,7 @@ class ConsoleFiles:
         if self.audit is not None:
             self.audit.log_console(change, words)
 
-    def notes(self) -> list[str]:
+    def notes(self) -> list[Message]:
         """Return notes on recording and its failures."""
         audit = self.audit.notes if self.audit else []
         recordings = self.recordings.notes() if self.recordings else []

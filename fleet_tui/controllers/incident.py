@@ -20,8 +20,8 @@ class IncidentPacking:
     def __init__(
         self,
         files: ConsoleFiles,
-        say: Callable[[str], None],
-        say_from_thread: Callable[[str], None],
+        say: Callable[[Message], None],
+        say_from_thread: Callable[[Message], None],
         screenshot: Callable[[], str],
         in_thread: Callable[[Callable[[Cancelled], None]], object],
     ) -> None:
@@ -37,15 +37,15 @@ class IncidentPacking:
         """Pack the files of an incident into one archive."""
         pack = self._files.pack
         if pack is None:
-            self._say("nothing to pack: not a live console")
+            self._say(Message("nothing to pack: not a live console"))
         elif self._files.refusal:
             self._say(self._files.refusal)
         elif self._packing:
-            self._say("still packing: the doctor takes up to 10 s")
+            self._say(Message("still packing: the doctor takes up to 10 s"))
         else:
             self._packing = True
             shot = self._screenshot()
-            self._say("packing an incident: the doctor runs first, up to 10 s")
+            self._say(Message("packing an incident: the doctor runs first, up to 10 s"))
             self._in_thread(partial(self._pack, pack, shot))
 
     def _pack(self, pack: Pack, shot: str, is_cancelled: Cancelled) -> None:
@@ -54,13 +54,13 @@ class IncidentPacking:
             path = pack(shot, is_cancelled)
             # The usual path fits 80 columns.
             where = str(path).replace(str(Path.home()), "~", 1)
-            said: str = Message(
+            said: Message = Message(
                 "packed {size_text}: {where}", size_text=size_text(path.stat().st_size), where=where
             )
         except Exception as problem:
             # The operator sees any error, and may try again.
             LOG.exception("packing")
-            said = f"incident not packed: {problem}"
+            said = Message("incident not packed: {problem}", problem=problem)
         LOG.info("%s", said)
         self._packing = False
         if not is_cancelled():

@@ -7,7 +7,7 @@ from time import monotonic
 
 from fleet_tui.keys.key import key_name
 from fleet_tui.rules.rates.attention import SeenArea
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import Message, joined
 from fleet_tui.view.map.camera import ZOOM_STEP, seen_area
 from fleet_tui.view.map.drawing import Drawing
 from fleet_tui.view.map.modes.mode import CursorMode, MapMode, ViewMode
@@ -43,7 +43,7 @@ class MapControls:
     def __init__(
         self,
         view: MapView,
-        say: Callable[[str], None] = lambda _: None,
+        say: Callable[[Message], None] = lambda _: None,
         to_next: Sequence[str] = (),
         menu: Callable[[], None] = lambda: None,
     ) -> None:
@@ -83,7 +83,9 @@ class MapControls:
         view = self._picture.viewport
         view.zoom_robot = not view.zoom_robot
         self._say(
-            "zooming keeps the robot in place" if view.zoom_robot else "zooming keeps the centre in place"
+            Message("zooming keeps the robot in place")
+            if view.zoom_robot
+            else Message("zooming keeps the centre in place")
         )
         self._view.draw()
 
@@ -94,14 +96,14 @@ class MapControls:
         if view.follow and scene is not None:
             view.centre(scene)
             if scene.selected is None:
-                self._say("the map follows the robot wherever its position is known")
+                self._say(Message("the map follows the robot wherever its position is known"))
         self._view.draw()
 
     def stop_following(self) -> None:
         """Let the view be brought elsewhere, and say so if it followed a robot."""
         if self._picture.viewport.follow:
             self._picture.viewport.follow = False
-            self._say("follow off")
+            self._say(Message("follow off"))
 
     def centre(self, at: tuple[float, float] | None = None) -> None:
         """Centre once, on a place in metres of the shown floor, or on the selected robot."""
@@ -200,4 +202,4 @@ class MapControls:
                 Message("{key_name} goes to the next one", key_name=key_name(key))
                 for key in self._to_next[:1]
             ]
-            self._say(": ".join(["no place here", *way]))
+            self._say(joined(": ", ["no place here", *way]))

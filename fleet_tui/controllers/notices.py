@@ -5,6 +5,7 @@ from collections.abc import Callable
 from time import monotonic
 
 from fleet_tui.state.store import Store
+from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.view.lines.commands import newest
 
 SHOWN = 8.0
@@ -21,7 +22,7 @@ class Notices:
         self,
         store: Store,
         refresh: Callable[[], None],
-        text: str = "",
+        text: Message = EMPTY,
         clock: Callable[[], float] = monotonic,
     ) -> None:
         self._store = store
@@ -39,16 +40,16 @@ class Notices:
         self._hinted: set[str] = set()
 
     @property
-    def text(self) -> str:
+    def text(self) -> Message:
         """Return the newest text while it is shown, by the time of this console also in a replay."""
-        return self._text if self._clock() < self._until else ""
+        return self._text if self._clock() < self._until else EMPTY
 
-    def say(self, text: str, stays: bool = False) -> None:
+    def say(self, text: Message, stays: bool = False) -> None:
         """Show a text at once."""
         self.note(text, stays)
         self._refresh()
 
-    def hint(self, text: str, topic: str = "") -> None:
+    def hint(self, text: Message, topic: str = "") -> None:
         """Show a text that only helps, until the next key; on a `topic` once in a session."""
         if topic not in self._hinted:
             self._hinted |= {topic} - {""}
@@ -56,7 +57,7 @@ class Notices:
             self.is_hint = True
             self._refresh()
 
-    def note(self, text: str, stays: bool = False) -> None:
+    def note(self, text: Message, stays: bool = False) -> None:
         """Show a text with the next tick; if it `stays`, until there is a newer one."""
         self._text = text
         self.at = newest(self._store.state)
@@ -69,8 +70,8 @@ class Notices:
         ends."""
         self.key_at = newest(self._store.state)
         if self.is_hint or self._clock() - self._since >= READ:
-            self._text = ""
+            self._text = EMPTY
 
     def clear(self) -> None:
         """Show no text."""
-        self._text = ""
+        self._text = EMPTY

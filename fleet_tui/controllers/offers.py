@@ -17,7 +17,7 @@ from fleet_tui.keys.key import key_name
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.rules.sites import robots_at, sites_of
 from fleet_tui.state.store import Store
-from fleet_tui.text.language import Message, tr
+from fleet_tui.text.language import EMPTY, Message, tr, translate
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.help.synonyms import SYNONYMS
 from fleet_tui.view.lines.hints import hidden_keys, unoffered_keys
@@ -33,19 +33,21 @@ def typed_site(line: str, state: FleetState, find: Callable[[str], None]) -> Typ
     sites = [site for site in sites_of(state) if site]
     name = name.strip()
     if not sites:
-        return Typed(problem="this console has one site: give links a site in the configuration")
+        return Typed(problem=Message("this console has one site: give links a site in the configuration"))
     if name not in sites:
         near = [f"{WORD} {site}" for site in sites if site.startswith(name)]
         problem = (
             Message(
                 "no site {name}{did_you_mean}",
                 name=sanitize(name),
-                did_you_mean=Message(did_you_mean(name, sites)),
+                did_you_mean=did_you_mean(name, sites),
             )
             if name and not near
-            else ""
+            else EMPTY
         )
-        return Typed(completed=near, problem=problem or f"site NAME: {sanitize(', '.join(sites))}")
+        return Typed(
+            completed=near, problem=problem or Message("site NAME: {sites}", sites=sanitize(", ".join(sites)))
+        )
     robots = robots_at(state, name)
     if not robots:
         return Typed(problem=Message("site {name} has no robots", name=sanitize(name)))
@@ -94,7 +96,7 @@ class Offers:
             if key.in_palette and key.pane in (*self._session.panes, Pane.ANYWHERE) and key.id not in hidden:
                 shown = "".join(map(key_name, self._settings.keys[key.id][:1]))
                 yield Offer(
-                    tr(key.text),
+                    translate(key.text),
                     partial(self._run, key),
                     shown,
                     also=f"{key.text} {SYNONYMS.get(key.id, '')}",

@@ -15,7 +15,7 @@ from fleet_tui.model.problem import Right
 from fleet_tui.model.programs.program import NOT_CONFIRMED, ChangeOutcome, ProgramState
 from fleet_tui.programs.change import VERBS, change
 from fleet_tui.programs.watch import ProgramWatch
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message, joined
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.programs.questions import change_question
 from fleet_tui.view.programs.table import note
@@ -30,7 +30,7 @@ def since_text(wall: float) -> str:
     try:
         at = datetime.fromtimestamp(wall)
     except (OverflowError, ValueError, OSError):
-        return "no time"
+        return Message("no time")
     return f"{at:%H:%M:%S}" if at.date() == datetime.now().date() else f"{at:%m-%d %H:%M}"
 
 
@@ -63,20 +63,21 @@ class ProgramRequests:
             verbs = VERBS[1:] if state in (ProgramState.RUNNING, ProgramState.STARTING) else VERBS[:1]
         if self._dispatch.permissions.refusal(Right.SETUP):
             verbs = ()
-        entries: list[Entry] = [(verb.capitalize(), partial(self._ask_to, name, verb)) for verb in verbs]
-        entries.append(("Log", partial(show_log, name)))
+        entries: list[Entry] = [
+            (Message(verb.capitalize()), partial(self._ask_to, name, verb)) for verb in verbs
+        ]
+        entries.append((Message("Log"), partial(show_log, name)))
         where = Message(" on {host}", host=row.host) if row.host else ""
-        lines = [f"{name}{where}: {state.value}", note(row, now)]
-        self._open_menu("\n".join(sanitize(line) for line in lines if line), entries)
+        head = Message("{name}{where}: {state}", name=name, where=where, state=Message(state.value))
+        lines = [head, note(row, now)]
+        self._open_menu(joined("\n", (sanitize(line) for line in lines if line)), entries)
 
-    def _refusal(self, name: str) -> str:
+    def _refusal(self, name: str) -> Message:
         if refusal := self._dispatch.set_up_refusal():
             return refusal
         pending = self._watch.rows[name].pending
         return (
-            Message("{name}: {pending} is still under way", name=name, pending=Message(pending))
-            if pending
-            else ""
+            Message("{name}: {pending} is still under way", name=name, pending=pending) if pending else EMPTY
         )
 
     def _ask_to(self, name: str, verb: str) -> None:
@@ -93,7 +94,7 @@ class ProgramRequests:
         if refusal := self._refusal(name):
             self._notices.say(sanitize(refusal))
             return
-        self._watch.set_pending(name, verb)
+        self._watch.set_pending(name, Message(verb))
         self._log(name, verb, "sent")
         self._notices.say(sanitize(Message("{name}: {verb} is under way", name=name, verb=Message(verb))))
         task = asyncio.ensure_future(self._change(name, verb))
@@ -108,11 +109,13 @@ class ProgramRequests:
             await self._watch.look(name)
         except Exception as problem:
             LOG.exception("program %s", name)
-            outcome = ChangeOutcome(NOT_CONFIRMED, f"internal error: {problem}")
+            outcome = ChangeOutcome(NOT_CONFIRMED, Message("internal error: {problem}", problem=problem))
         finally:
-            self._watch.set_pending(name, "")
+            self._watch.set_pending(name, EMPTY)
             self._log(name, verb, outcome.text)
-        self._notices.note(sanitize(f"{name}: {verb} {outcome.text}"))
+        self._notices.note(
+            sanitize(Message("{name}: {verb} {text}", name=name, verb=Message(verb), text=outcome.text))
+        )
 
     def _log(self, name: str, verb: str, outcome: str) -> None:
         host = self._watch.rows[name].host

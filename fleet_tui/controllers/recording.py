@@ -17,8 +17,8 @@ class RecordingSwitch:
     def __init__(
         self,
         files: ConsoleFiles,
-        say: Callable[[str], None],
-        say_from_thread: Callable[[str], None],
+        say: Callable[[Message], None],
+        say_from_thread: Callable[[Message], None],
         in_thread: Callable[[Callable[[], None]], object],
     ) -> None:
         self._files = files
@@ -30,7 +30,7 @@ class RecordingSwitch:
     def turn(self) -> None:
         """Start a recording, or stop it."""
         if self._files.recordings is None:
-            self._say("nothing to record: not a live console")
+            self._say(Message("nothing to record: not a live console"))
         elif self._files.refusal:
             self._say(self._files.refusal)
         elif not self._switching:
@@ -45,11 +45,13 @@ class RecordingSwitch:
             if recordings.recorder is not None:
                 said = recordings.stop()
             else:
-                said = Message("recording to {start}", start=recordings.start())
+                # The usual path fits 80 columns.
+                said = Message(
+                    "recording to {path}", path=str(recordings.start()).replace(str(Path.home()), "~", 1)
+                )
         except FleetError as problem:
-            said = f"recording failed: {problem}"
+            said = Message("recording failed: {problem}", problem=problem)
         finally:
             self._switching = False
         LOG.info("%s", said)
-        # The usual path fits 80 columns.
-        self._say_from_thread(said.replace(str(Path.home()), "~", 1))
+        self._say_from_thread(said)

@@ -10,7 +10,7 @@ from fleet_tui.controllers.typed import Typed
 from fleet_tui.errors import FleetError
 from fleet_tui.keys import Key, Pane
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import Message, message_of
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.status import status_line
 from fleet_tui.view.lines.time import time_at
@@ -61,7 +61,7 @@ class Replay:
     def play(self, do: Callable[[PlayerActions], object]) -> None:
         """Run an action of the player; show the reason if it fails."""
         said = do(self._player)
-        if isinstance(said, str) and said:
+        if isinstance(said, Message) and said:
             self._notices.say(said)
 
     def typed(self, line: str) -> "Typed | None":
@@ -76,8 +76,8 @@ class Replay:
         try:
             at = self._player.time_of(text)
         except FleetError as problem:
-            return Typed(problem=sanitize(str(problem)))
-        return Typed([(Message("Go to {text}", text=Message(text)), lambda: self._player.seek(at))])
+            return Typed(problem=sanitize(message_of(problem)))
+        return Typed([(Message("Go to {text}", text=text), lambda: self._player.seek(at))])
 
     def pick_time(self, x: int, width: int) -> None:
         """Go to the time of a cell of the time line."""

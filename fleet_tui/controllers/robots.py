@@ -17,7 +17,7 @@ from fleet_tui.model.request import Request
 from fleet_tui.rules.alarms.trouble import needs_a_look
 from fleet_tui.rules.routes.charging import way_to_charger
 from fleet_tui.state.store import Store
-from fleet_tui.text.language import Message, tr
+from fleet_tui.text.language import Message, verbatim
 from fleet_tui.text.sanitize import sanitize
 
 
@@ -71,7 +71,7 @@ class RobotRequests:
         if paused:
             self._dispatch.do(Request(paused), asks=True)
         else:
-            self._notices.say("no robot is paused")
+            self._notices.say(Message("no robot is paused"))
 
     def menu(self, robot: str) -> None:
         """List the actions for a robot; the mark is on the one that explains what is wrong with it, if
@@ -80,33 +80,37 @@ class RobotRequests:
         fault, entries = state.robots[robot].last_fault, list(self._entries(robot))
         explain = next(place for place, (text, _) in enumerate(entries) if text == self._explain)
         marked = explain if needs_a_look(state, robot) else 0
-        self._open_menu(f"{robot}: {sanitize(fault)}" if fault else robot, entries, marked)
+        self._open_menu(
+            Message("{robot}: {fault}", robot=robot, fault=sanitize(fault)) if fault else verbatim(robot),
+            entries,
+            marked,
+        )
 
     def _entries(self, robot: str) -> Iterator[Entry]:
         known, do = self._store.state.robots[robot], self._dispatch.do
         asked = (
-            (tr("Order"), kind.ORDER, self._orders.start),
-            (tr("Pause"), kind.PAUSE, partial(do, Request((PauseRobot(robot),)))),
-            (tr("Resume"), kind.RESUME, partial(do, Request((ResumeRobot(robot),)))),
-            (tr("Clear all orders"), kind.CLEAR, partial(do, Request((ClearOrders(robot),)))),
+            (Message("Order"), kind.ORDER, self._orders.start),
+            (Message("Pause"), kind.PAUSE, partial(do, Request((PauseRobot(robot),)))),
+            (Message("Resume"), kind.RESUME, partial(do, Request((ResumeRobot(robot),)))),
+            (Message("Clear all orders"), kind.CLEAR, partial(do, Request((ClearOrders(robot),)))),
         )
         if not self._dispatch.permissions.refusal(Right.DISPATCH):
             for text, verb, action in asked:
                 if known.kind.can(verb):
                     yield self._with_key(text, verb), partial(self._for, robot, action)
-        yield "Show on the map", partial(self._navigation.find_robot, robot)
+        yield Message("Show on the map"), partial(self._navigation.find_robot, robot)
         yield self._explain, partial(self._for, robot, self._why)
         may_order = known.kind.can(kind.ORDER) and not self._dispatch.permissions.refusal(Right.DISPATCH)
         if may_order and way_to_charger(self._store.state, known):  # below what all robots have
             charge = partial(self._for, robot, self._orders.charge_now)
-            yield self._with_key(tr("Send to the nearest charger"), "charge"), charge
+            yield self._with_key(Message("Send to the nearest charger"), "charge"), charge
         yield from self._alarms(robot)
 
     @property
-    def _explain(self) -> str:
-        return self._with_key(tr("Explain why it is not moving"), "why")
+    def _explain(self) -> Message:
+        return self._with_key(Message("Explain why it is not moving"), "why")
 
-    def _with_key(self, text: str, id_: str) -> str:
+    def _with_key(self, text: Message, id_: str) -> Message:
         """Return an entry with the key that chooses it, as it does outside of the menu."""
         return text + "".join(f" ({key_name(key)})" for key in self._keys[id_][:1])
 
@@ -114,7 +118,7 @@ class RobotRequests:
         for alarm in self._store.state.alarms:
             if alarm.condition.source == robot:
                 yield (
-                    Message("Alarm: {text} ...", text=Message(sanitize(alarm.text))),
+                    Message("Alarm: {text} ...", text=sanitize(alarm.text)),
                     partial(self._alarm_menu, *alarm.key),
                 )
 

@@ -10,7 +10,7 @@ from fleet_tui.controllers.dispatch import Ask
 from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.controllers.typed import Typed
 from fleet_tui.errors import FleetError
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.text.sanitize import sanitize
 
 WORD = "save"
@@ -20,7 +20,7 @@ class SaveCommand:
     """Writes a file, asking before it overwrites; `begin` opens the palette with a line."""
 
     def __init__(
-        self, files: ConsoleFiles, ask: Ask, begin: Callable[[str], None], say: Callable[[str], None]
+        self, files: ConsoleFiles, ask: Ask, begin: Callable[[str], None], say: Callable[[Message], None]
     ) -> None:
         self._files = files
         self._ask = ask
@@ -51,10 +51,10 @@ class SaveCommand:
             ]
         )
 
-    def _unsavable(self, name: str) -> str:
+    def _unsavable(self, name: str) -> Message:
         """Return the reason that nothing can be saved, empty if something can."""
         if self._files.saving is None:
-            return "nothing to save: this console has no fleet of its own"
+            return Message("nothing to save: this console has no fleet of its own")
         if self._files.naming_refusal:
             return self._files.naming_refusal
         path = self._files.saving.path
@@ -62,7 +62,7 @@ class SaveCommand:
             return Message(
                 "already saved in {path}: {WORD} FILE writes a copy", path=sanitize(path), WORD=WORD
             )
-        return ""
+        return EMPTY
 
     def _save(self, saving: Saving, name: str) -> None:
         """Save, asking before overwriting a file."""
@@ -76,7 +76,10 @@ class SaveCommand:
         try:
             path = saving.write(name)
         except FleetError as problem:
-            self._say(sanitize(f"not saved: {problem}"))
+            self._say(sanitize(Message("not saved: {problem}", problem=problem)))
         else:
             where = str(path).replace(str(Path.home()), "~", 1)
-            self._say(sanitize(f"saved to {where}" + ": fleet-tui opens it here" * (name == USUAL)))
+            said = Message("saved to {path}", path=where)
+            if name == USUAL:
+                said += Message(": fleet-tui opens it here")
+            self._say(sanitize(said))

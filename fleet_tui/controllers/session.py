@@ -13,7 +13,7 @@ from fleet_tui.keys import Key, Pane
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import Phase
 from fleet_tui.model.problem import Right
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import translate
 from fleet_tui.view.lines.status import PAUSED, console_notes, resume_all, status_line, status_right
 from fleet_tui.view.tables.table import Run, cut, width_of
 
@@ -82,12 +82,12 @@ class LiveSession:
     def headline(self, state: FleetState, robot: str, width: int) -> Headline:
         """Return the state of this console and of the link, and the console in command."""
         may, files, settings = self._parts.dispatch.permissions, self._parts.files, self._parts.settings
-        kept = list(map(tr, files.notes()))
+        kept = list(map(translate, files.notes()))
         notes = console_notes(state, may.read_only, may.armed, time.monotonic() - state.now)
         runs = status_line(state, robot, notes, kept=kept, width=width)
         if may.armed and not may.read_only and may.right >= Right.DISPATCH:
             way_back = f", {resume_all(settings.keys)}"
-            notes = [note + way_back * note.endswith(tr(PAUSED)) for note in notes]
+            notes = [note + way_back * note.endswith(translate(PAUSED)) for note in notes]
             longer = status_line(state, robot, notes, kept=kept)
             runs = longer if width_of(longer) <= width else runs
         right = status_right(settings.clock(state.wall), files.operator)

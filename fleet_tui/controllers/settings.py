@@ -9,6 +9,7 @@ from fleet_tui.adapters.profile import DriveConfig
 from fleet_tui.config.programs import ProgramEntry
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.problem import Permissions
+from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.view.map.drawing import Drawing
 
 
@@ -28,9 +29,9 @@ class ConsoleSettings(Struct, frozen=True):
     announce: Callable[[FleetState], None]
     resized: Callable[[], None]
     terminal: str = ""
-    message: str = ""
+    message: Message = EMPTY
     programs: Sequence[ProgramEntry] = ()
     drive: Mapping[str, DriveConfig] = {}
     routines: Path = Path()
-    doubt: str = ""
+    doubt: Message = EMPTY
     picture_limit: float = 60_000.0

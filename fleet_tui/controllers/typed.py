@@ -13,10 +13,11 @@ from fleet_tui.rules.commands.checks import acceptable, not_accepted
 from fleet_tui.rules.commands.rights import not_allowed
 from fleet_tui.rules.language.completion import complete, is_command
 from fleet_tui.rules.language.grammar import parse
+from fleet_tui.text.language import EMPTY, Message, message_of, verbatim
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.questions import request_text
 
-Entry = tuple[str, Callable[[], object]]
+Entry = tuple[Message, Callable[[], object]]
 """A line to choose, and its action."""
 
 
@@ -24,7 +25,7 @@ class OpenMenu(Protocol):
     """Opens a menu: its title, its entries, and the place of the marked one."""
 
     def __call__(
-        self, title: str, entries: Sequence[Entry], marked: int = 0, *, searched: bool = False
+        self, title: Message, entries: Sequence[Entry], marked: int = 0, *, searched: bool = False
     ) -> None:
         """Open it. Actions have keys; a list of things is `searched`: it filters as one types."""
 
@@ -38,7 +39,7 @@ class Typed:
 
     entries: Sequence[Entry] = ()
     completed: Sequence[str] = ()
-    problem: str = ""
+    problem: Message = EMPTY
 
     @property
     def is_command(self) -> bool:
@@ -56,9 +57,9 @@ def typed(
     try:
         request = parse(line, state, selected)
     except CommandError as problem:
-        return Typed(completed=completed, problem=sanitize(str(problem)))
+        return Typed(completed=completed, problem=sanitize(message_of(problem)))
     if refused := not_allowed(request.commands, allowed):
         return Typed(problem=refused[0].text)
     if impossible := not_accepted(state, acceptable(state, request)[0].commands):
         return Typed(completed=completed, problem=sanitize(impossible[0].text))
-    return Typed([(request_text(state, request), partial(do, request))], completed)
+    return Typed([(verbatim(request_text(state, request)), partial(do, request))], completed)

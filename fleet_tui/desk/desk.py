@@ -97,10 +97,10 @@ class SharedDesk:
         self._worker = Worker("desk", self._step, EVERY, self._end)
 
     @property
-    def notes(self) -> list[str]:
+    def notes(self) -> list[Message]:
         """Return notes for the operator; empty while all is shared."""
         if self._worker.busy_for > SLOW:
-            return ["desk: not responding, nothing is shared"]
+            return [Message("desk: not responding, nothing is shared")]
         ignored = self._facts.ignored + self._reader.ignored
         told = (
             [Message("desk: {ignored} entries ignored: not of a console", ignored=ignored)] if ignored else []

@@ -18,6 +18,7 @@ from fleet_tui.model.events import Event
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.state.store import Store
 from fleet_tui.storage.worker import Worker
+from fleet_tui.text.language import Message
 from fleet_tui.text.sanitize import sanitize
 
 FIRST_WITHIN = 1.0
@@ -76,7 +77,7 @@ class DeskVisit:
 
 @contextmanager
 def watched_desk(
-    config: Config, store: Store, name: str, post: Callable[[Event], object], say: Callable[[str], object]
+    config: Config, store: Store, name: str, post: Callable[[Event], object], say: Callable[[Message], object]
 ) -> Iterator[None]:
     """Visit the desk of the configuration, if it has one, while this lasts. Says why claims are not known."""
     if not config.desk.folder:
@@ -85,7 +86,7 @@ def watched_desk(
     folder = config.beside(config.desk.folder)
     visit = DeskVisit(folder, name, post)
     if problem := visit.start():
-        say(sanitize(f"desk: claims unknown: {folder}: {problem}"))
+        say(sanitize(Message("desk: claims unknown: {folder}: {problem}", folder=folder, problem=problem)))
     store.watchers.append(visit.watch)
     try:
         yield

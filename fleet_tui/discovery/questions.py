@@ -9,12 +9,13 @@ from fleet_tui.discovery.facts import RosapiFacts
 from fleet_tui.discovery.rosapi import ask_publishers, ask_service_types
 from fleet_tui.discovery.sampling import alike, next_questions, silent, telling_services, telling_topics
 from fleet_tui.discovery.wire import BridgeConnection
+from fleet_tui.text.language import Message
 
 MOST_TOPICS = 300
 MOST_SERVICES = 100
 """Maximum number of queries: 8 s of a real bridge. The rest is taken as listed."""
 
-Watch = Callable[[int, int, str], object]
+Watch = Callable[[int, int, Message], object]
 """Progress callback: number done, number known, current step."""
 
 
@@ -40,7 +41,7 @@ async def _with_publishers(
         names = [name for spaces in groups for name in next_questions(spaces, rosapi.publishers)]
         names = names[: MOST_TOPICS - done]
         known = len(rosapi.publishers)
-        count = _Count(done, done + len(names), watch, "looking up publishers")
+        count = _Count(done, done + len(names), watch, Message("looking up publishers"))
         rosapi = await ask_publishers(wire, rosapi, names, until, count)
         done += len(names)
         if len(rosapi.publishers) == known:  # all queries are done, or none is answered
@@ -54,7 +55,7 @@ async def _service_types(
     """Return the types of services by name, "" if unknown: each robot's as those of a similar one."""
     groups = alike(telling_services(rosapi.services))
     names = [name for spaces in groups for name in spaces[0].values()][:MOST_SERVICES]
-    count = _Count(0, len(names), watch, "looking up service types")
+    count = _Count(0, len(names), watch, Message("looking up service types"))
     known = (await ask_service_types(wire, rosapi, names, until, count)).services
     return {
         name: known[spaces[0][rest]] or ""
@@ -67,7 +68,7 @@ async def _service_types(
 class _Count:
     """Counts the answers for the progress callback."""
 
-    def __init__(self, done: int, total: int, watch: Watch, doing: str) -> None:
+    def __init__(self, done: int, total: int, watch: Watch, doing: Message) -> None:
         self._done = done
         self._total = total
         self._watch = watch

@@ -26,6 +26,7 @@ from fleet_tui.discovery.tools import rosapi_remedy
 from fleet_tui.discovery.vehicles import NO_VEHICLE, vehicles_on
 from fleet_tui.discovery.wire import BridgeConnection
 from fleet_tui.errors import ConfigError, FleetError, LinkError
+from fleet_tui.text.language import Message
 from fleet_tui.transports.loop import network_loop
 
 WITHIN = 20.0
@@ -60,17 +61,33 @@ class DiscoveredSite:
         """Return the configuration of this text. Raises FleetError if no robot was found, or names are
         ambiguous."""
         if not any(one.robots for one in self.found.values()) and self.bridge.is_broker:
-            raise FleetError(f"{self.bridge.shown}: no vehicle found: {NO_VEHICLE}")
+            raise FleetError(
+                Message(
+                    "{shown}: no vehicle found: {no_vehicle}", shown=self.bridge.shown, no_vehicle=NO_VEHICLE
+                )
+            )
         if not any(one.robots for one in self.found.values()):
             raise FleetError(
-                f"{self.bridge.shown}: no robot found among {self.topics} topics: start the robot nodes, or"
-                f" name their topics: fleet-tui config init --from-live {self.bridge.shown}"
+                Message(
+                    "{shown}: no robot found among {topics} topics: start the robot nodes,"
+                    " or name their topics: fleet-tui config init --from-live {shown2}",
+                    shown=self.bridge.shown,
+                    topics=self.topics,
+                    shown2=self.bridge.shown,
+                )
             )
         try:
             return from_text(self.text)
         except ConfigError as problem:
             edit = f"edit it in a file: fleet-tui config init --from-live {self.bridge.shown}"
-            raise FleetError(f"{self.bridge.shown}: {problem.problems[0]}; {edit}") from None
+            raise FleetError(
+                Message(
+                    "{shown}: {problems}; {edit}",
+                    shown=self.bridge.shown,
+                    problems=problem.problems[0],
+                    edit=edit,
+                )
+            ) from None
 
     @property
     def choices(self) -> list[Choice]:
@@ -135,19 +152,30 @@ async def _discover_vehicles(bridge: Link, until: float, watch: Watch, wait: flo
 async def _discover(bridge: Link, until: float, watch: Watch) -> DiscoveredSite:
     wire = BridgeConnection(bridge)
     try:
-        watch(0, 0, "connecting")
+        watch(0, 0, Message("connecting"))
         async for finding in Approach(DEFAULT_LINK, bridge, wire, "the address").walk():
             if finding.verdict is Verdict.FAIL:
-                raise LinkError(f"{bridge.shown}: {finding.measured}: {finding.remedy}")
-        watch(0, 0, "querying rosapi")
+                raise LinkError(
+                    Message(
+                        "{shown}: {measured}: {remedy}",
+                        shown=bridge.shown,
+                        measured=finding.measured,
+                        remedy=finding.remedy,
+                    )
+                )
+        watch(0, 0, Message("querying rosapi"))
         rosapi = await look_around(wire)
         if rosapi.problem:
-            raise FleetError(f"{bridge.shown}: {_without_rosapi(rosapi)}")
+            raise FleetError(
+                Message(
+                    "{shown}: {without_rosapi}", shown=bridge.shown, without_rosapi=_without_rosapi(rosapi)
+                )
+            )
         listed, rosapi = await listed_by(wire, rosapi, until, watch)
-        watch(0, 0, "waiting for messages")
+        watch(0, 0, Message("waiting for messages"))
         listed = listed._replace(messages=await sample_messages(wire, rosapi.topics, until))
         claims = claimed(listed)
-        watch(0, 0, "waiting for poses")
+        watch(0, 0, Message("waiting for poses"))
         frames = await collect_frames(wire, assigned(claims, {}), rosapi.topics, until)
     finally:
         wire.close()

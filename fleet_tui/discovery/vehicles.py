@@ -15,6 +15,7 @@ from fleet_tui.config.schema import Config, Link
 from fleet_tui.discovery.config_text import BROKER, UNKNOWN_FLOOR, floor_name
 from fleet_tui.discovery.questions import Watch
 from fleet_tui.errors import LinkError, WireError
+from fleet_tui.text.language import Message
 from fleet_tui.transports.mqtt.connection import BrokerConnection
 
 LISTENED = ("connection", "state", "visualization")
@@ -122,20 +123,24 @@ async def vehicles_on(
     try:
         reason = await asyncio.wait_for(asyncio.shield(listener.opened), max(0.1, until - time.monotonic()))
         if reason:
-            raise LinkError(f"{bridge.shown}: {reason}")
+            raise LinkError(Message("{shown}: {reason}", shown=bridge.shown, reason=reason))
         began = listener.newest_at = time.monotonic()
         while (now := time.monotonic()) < until and not (listener.refused and not listener.seen):
             if listener.seen and now >= max(began + wait, listener.newest_at + SETTLED):
                 break
-            watch(0, 0, f"waiting for vehicles, {len(listener.seen)} so far")
+            watch(0, 0, Message("waiting for vehicles, {count} so far", count=len(listener.seen)))
             await asyncio.sleep(0.05)
     except TimeoutError:
-        raise LinkError(f"{bridge.shown}: connection timed out") from None
+        raise LinkError(Message("{shown}: connection timed out", shown=bridge.shown)) from None
     finally:
         listener.connection.shut()
     if not listener.seen and listener.refused:
         raise LinkError(
-            f"{bridge.shown}: broker refuses {', '.join(sorted(listener.refused))}: grant read access"
+            Message(
+                "{shown}: broker refuses {sorted}: grant read access",
+                shown=bridge.shown,
+                sorted=", ".join(sorted(listener.refused)),
+            )
         )
     return named(listener.vehicles), len(listener.heard)
 

@@ -25,6 +25,7 @@ from fleet_tui.model.events import Event, GraphReceived, PoseReported
 from fleet_tui.model.fleets.events import MemberReported
 from fleet_tui.model.kind import CAMERA
 from fleet_tui.model.navigation_events import OdometryReported
+from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.transports.rosbridge.connection import Connection
 
 if TYPE_CHECKING:  # with numpy
@@ -34,7 +35,7 @@ LARGE_FRAME = 100_000
 LOOKUPS = 100  # more than are asked at once: `places` limits them by the version of ROS
 QUEUE = 100  # log lines that the bridge queues for us
 NAMED = re.compile(r'"topic":\s*"(?P<topic>[^"]+)"')
-FROZEN = "accepts connections but does not respond: restart it"
+FROZEN = Message("accepts connections but does not respond: restart it")
 
 
 @dataclass(slots=True)
@@ -128,7 +129,7 @@ class BridgeConnection:
         self.places = places or rosapi_places()
         self.adapters = adapters
         """By robot, for the robots whose topics are subscribed."""
-        self.lost = ""
+        self.lost = EMPTY
         """The reason that there is no connection."""
         self.listening: dict[str, TopicListening] = {}
         """Received messages, by topic."""
@@ -215,9 +216,9 @@ class BridgeConnection:
         """Allow frames to be sent."""
         self._settled.set()
 
-    def on_lost(self, reason: str, next_try_in: float) -> None:
+    def on_lost(self, reason: Message, next_try_in: float) -> None:
         """End at the first loss: later measurements would be of another connection."""
-        self.lost = self.lost or reason or "connection lost"
+        self.lost = self.lost or reason or Message("connection lost")
         self.connection.shut()
         self._calls.on_lost()
         self._settled.set()

@@ -6,6 +6,7 @@ from typing import Any, TypeVar
 from fleet_tui.errors import GraphError
 from fleet_tui.graph_files.yaml_text import PlainText, settled
 from fleet_tui.model.graphs.document import Site
+from fleet_tui.text.language import Message
 from fleet_tui.text.limits import LONGEST_NAME, MOST_EDGES, MOST_VERTICES, truncate
 
 LONGEST_TEXT = 5 * LONGEST_NAME
@@ -18,7 +19,14 @@ Table = dict[str, Any]
 def _is_no(value: Any, expected: str, where: str) -> GraphError:
     found = settled(value)
     shown = {dict: "a mapping", list: "a list", type(None): "nothing"}.get(type(found))
-    return GraphError(f"{where}: {shown or truncate(repr(found), 40)} instead of {expected}")
+    return GraphError(
+        Message(
+            "{where}: {shown} instead of {expected}",
+            where=where,
+            shown=shown or truncate(repr(found), 40),
+            expected=expected,
+        )
+    )
 
 
 def mapping(value: Any, where: str) -> Table:
@@ -40,7 +48,14 @@ def elements(value: Any, where: str, most: int) -> list[Any]:
     if not isinstance(value, list):
         raise _is_no(value, "a list", where)
     if len(value) > most:
-        raise GraphError(f"{where}: {len(value):,} elements, at most {most:,} are supported")
+        raise GraphError(
+            Message(
+                "{where}: {value} elements, at most {most} are supported",
+                where=where,
+                value=f"{len(value):,}",
+                most=f"{most:,}",
+            )
+        )
     return value
 
 
@@ -61,7 +76,14 @@ def text(value: Any, where: str) -> str:
     if not isinstance(value, str):
         raise _is_no(value, "text", where)
     if len(value) > LONGEST_TEXT:
-        raise GraphError(f"{where}: a text of {len(value):,} characters, at most {LONGEST_TEXT:,}")
+        raise GraphError(
+            Message(
+                "{where}: a text of {value} characters, at most {longest_text}",
+                where=where,
+                value=f"{len(value):,}",
+                longest_text=f"{LONGEST_TEXT:,}",
+            )
+        )
     return str(value)
 
 
@@ -69,7 +91,7 @@ def identifier(value: Any, where: str) -> str:
     """Return an id. Raises GraphError."""
     id_ = text(value, where)
     if not id_:
-        raise GraphError(f"{where}: empty id")
+        raise GraphError(Message("{where}: empty id", where=where))
     return id_
 
 
@@ -81,7 +103,9 @@ def number(value: Any, where: str) -> float:
     try:
         return float(found)
     except OverflowError:
-        raise GraphError(f"{where}: a number of {len(str(value)):,} digits") from None
+        raise GraphError(
+            Message("{where}: a number of {value} digits", where=where, value=f"{len(str(value)):,}")
+        ) from None
 
 
 def index(value: Any, size: int, where: str) -> int:
@@ -90,7 +114,14 @@ def index(value: Any, size: int, where: str) -> int:
     if isinstance(found, bool) or not isinstance(found, int):
         raise _is_no(value, "a whole number", where)
     if not 0 <= found < size:
-        raise GraphError(f"{where}: unknown vertex {truncate(str(found), 40)}, the last one is {size - 1}")
+        raise GraphError(
+            Message(
+                "{where}: unknown vertex {truncate}, the last one is {size}",
+                where=where,
+                truncate=truncate(str(found), 40),
+                size=size - 1,
+            )
+        )
     return found
 
 
@@ -106,7 +137,7 @@ def place(value: Any, where: str) -> Site:
     """Return x, y and yaw. Raises GraphError."""
     parts = [number(one, where) for one in elements(value, where, 3)]
     if len(parts) != 3:
-        raise GraphError(f"{where}: must be [x, y, yaw]")
+        raise GraphError(Message("{where}: must be [x, y, yaw]", where=where))
     return parts[0], parts[1], parts[2]
 
 
@@ -119,7 +150,7 @@ def optional(table: Table, key: str, read: Callable[[Any, str], Found], where: s
 def required(table: Table, key: str, read: Callable[[Any, str], Found], where: str) -> Found:
     """Take a value out of a table. Raises GraphError for a missing one."""
     if key not in table:
-        raise GraphError(f"{where}: no {key}")
+        raise GraphError(Message("{where}: no {key}", where=where, key=key))
     return read(table.pop(key), f"{where} {key}")
 
 

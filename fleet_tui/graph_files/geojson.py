@@ -21,6 +21,7 @@ from fleet_tui.model.graphs.document import (
     one_way_edges,
 )
 from fleet_tui.model.graphs.ids import distinct
+from fleet_tui.text.language import Message
 from fleet_tui.text.limits import MOST_EDGES, MOST_VERTICES, truncate
 
 OWN = GraphFormat.GEOJSON.value
@@ -48,7 +49,13 @@ def read(tree: Any, choices: ReadChoices) -> GraphFile:
         (points if type_ == "Point" else lines if type_ in LINES else []).append(feature)
         others += type_ != "Point" and type_ not in LINES
     if len(points) > MOST_VERTICES:
-        raise GraphError(f"{len(points):,} vertices, at most {MOST_VERTICES:,} are supported")
+        raise GraphError(
+            Message(
+                "{points} vertices, at most {most_vertices} are supported",
+                points=f"{len(points):,}",
+                most_vertices=f"{MOST_VERTICES:,}",
+            )
+        )
     frames = [point["properties"].get("frame") for point in points]
     frame = next((one for one in frames if isinstance(one, str) and one), "")
     vertices = {vertex.id: vertex for vertex in _vertices(points, frame)}
@@ -68,7 +75,13 @@ def _ids(features: list[Table], kind: str, others: Iterable[str] = ()) -> list[t
 
 def _id(value: Any, where: str) -> str:
     if isinstance(value, bool) or not isinstance(value, int) or value < 0:
-        raise GraphError(f"{where}: {truncate(repr(value), 40)} instead of a whole number from 0 on")
+        raise GraphError(
+            Message(
+                "{where}: {truncate} instead of a whole number from 0 on",
+                where=where,
+                truncate=truncate(repr(value), 40),
+            )
+        )
     return str(value)
 
 
@@ -86,7 +99,7 @@ def _vertices(points: list[Table], frame: str) -> Iterator[DocumentVertex]:
         geometry = dict(feature["geometry"])
         coordinates = fields.elements(geometry.pop("coordinates", None), f"{where} coordinates", 3)
         if len(coordinates) < 2:
-            raise GraphError(f"{where}: coordinates must be [x, y]")
+            raise GraphError(Message("{where}: coordinates must be [x, y]", where=where))
         x, y = (fields.number(one, f"{where} coordinates") for one in coordinates[:2])
         if len(coordinates) > 2:
             geometry["z"] = coordinates[2]

@@ -6,6 +6,7 @@ from msgspec import Struct
 
 from fleet_tui.errors import GraphError
 from fleet_tui.model.graphs.document import GraphDocument, GraphFormat
+from fleet_tui.text.language import Message
 
 
 class ReadChoices(Struct, frozen=True):
@@ -44,7 +45,7 @@ class MissingChoiceError(GraphError):
     """A file or a format that needs an answer. `option`: the command line's option for it; `choices`: the
     possible answers, none for free text."""
 
-    def __init__(self, text: str, option: str, choices: tuple[str, ...] = ()) -> None:
+    def __init__(self, text: Message, option: str, choices: tuple[str, ...] = ()) -> None:
         super().__init__(text)
         self.option = option
         self.choices = choices

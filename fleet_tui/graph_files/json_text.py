@@ -7,7 +7,7 @@ from typing import Any
 import msgspec
 
 from fleet_tui.errors import GraphError
-from fleet_tui.text.language import in_english
+from fleet_tui.text.language import Message, in_english
 from fleet_tui.text.limits import truncate
 
 _UNSAFE = re.compile("[\x7f-\x9f\u2028\u2029\ufeff\ufffe\uffff]")
@@ -18,9 +18,9 @@ def parse_json(text: str) -> Any:
     try:
         return msgspec.json.decode(text)
     except RecursionError:
-        raise GraphError("nested too deep") from None
+        raise GraphError(Message("nested too deep")) from None
     except (msgspec.DecodeError, ValueError) as problem:
-        raise GraphError(f"not JSON: {in_line(str(problem), text)}") from None
+        raise GraphError(Message("not JSON: {in_line}", in_line=in_line(str(problem), text))) from None
 
 
 def in_line(problem: str, text: str) -> str:
@@ -47,4 +47,4 @@ def encoded(value: Any) -> bytes:
     try:
         return msgspec.json.encode(value, enc_hook=in_english)
     except OverflowError:
-        raise GraphError("a whole number of more than 64 bits: correct it first") from None
+        raise GraphError(Message("a whole number of more than 64 bits: correct it first")) from None

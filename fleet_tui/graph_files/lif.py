@@ -20,6 +20,7 @@ from fleet_tui.model.graphs.document import (
     merge_opposites,
 )
 from fleet_tui.model.graphs.ids import distinct
+from fleet_tui.text.language import Message
 
 OWN = GraphFormat.LIF.value
 ON_NODES = "vehicleTypeNodeProperties"
@@ -47,13 +48,21 @@ def read(tree: Any, choices: ReadChoices) -> GraphFile:
     for n, layout in enumerate(layouts):
         floor, at = _layout(dict(fields.mapping(layout, f"layouts[{n}]")), n, choices.vehicle_type)
         if floor.name in floors:
-            raise GraphError(f"layouts[{n}]: layoutId {floor.name[:40]!r} twice: rename one")
+            raise GraphError(
+                Message("layouts[{n}]: layoutId {name} twice: rename one", n=n, name=f"{floor.name[:40]!r}")
+            )
         floors[floor.name] = floor
         stations += at
     types = {type_ for floor in floors.values() for type_ in vehicle_types(floor)}
     if choices.vehicle_type and types and choices.vehicle_type not in types:
         listed = ", ".join(sorted(types)[:5])
-        raise GraphError(f"no vehicle type {choices.vehicle_type[:40]!r} in the file: it has {listed}")
+        raise GraphError(
+            Message(
+                "no vehicle type {vehicle_type} in the file: it has {listed}",
+                vehicle_type=f"{choices.vehicle_type[:40]!r}",
+                listed=listed,
+            )
+        )
     name = str(meta.get("projectIdentification") or "")
     document = GraphDocument(name, floors, (), tuple(stations), extra=fields.rest(OWN, table))
     return GraphFile(GraphFormat.LIF, document, notes)
@@ -148,7 +157,7 @@ def _edges(
         table.pop(ON_EDGES, None)
         types = [fields.required(dict(one), "vehicleTypeId", fields.text, at) for one in entries]
         if len(set(types)) < len(types):
-            raise GraphError(f"{at}: a vehicle type is listed twice: remove one")
+            raise GraphError(Message("{at}: a vehicle type is listed twice: remove one", at=at))
         turn = agreed([one for one in entries if _is_tangential(one)], "vehicleOrientation", vehicle, at)
         yield DocumentEdge(
             id_,
@@ -214,11 +223,13 @@ def in_si_units(tree: Table, choices: ReadChoices) -> tuple[Table, tuple[str, ..
     farthest, turn = _largest(tree)
     notes = list[str]()
     if farthest > FARTHEST and not choices.lengths:
-        text = f"positions up to {farthest:g}: metres by the format, probably millimetres"
+        text = Message(
+            "positions up to {farthest}: metres by the format, probably millimetres", farthest=f"{farthest:g}"
+        )
         _ask(choices, text, "--lengths", tuple(LENGTHS))
         notes.append(f"{text}; read as metres (--lengths mm for millimetres)")
     if turn > math.tau and not choices.angles:
-        text = f"theta up to {turn:g}: radians by the format, probably degrees"
+        text = Message("theta up to {turn}: radians by the format, probably degrees", turn=f"{turn:g}")
         _ask(choices, text, "--angles", tuple(ANGLES))
         notes.append(f"{text}; read as radians (--angles deg for degrees)")
     length, angle = LENGTHS.get(choices.lengths, 1.0), ANGLES.get(choices.angles, 1.0)
@@ -227,7 +238,7 @@ def in_si_units(tree: Table, choices: ReadChoices) -> tuple[Table, tuple[str, ..
     return _scaled(tree, length, angle, False, 0), tuple(notes)
 
 
-def _ask(choices: ReadChoices, text: str, option: str, units: tuple[str, ...]) -> None:
+def _ask(choices: ReadChoices, text: Message, option: str, units: tuple[str, ...]) -> None:
     if choices.ask:
         raise MissingChoiceError(text, option, units)
 
@@ -260,7 +271,7 @@ def _is_number(value: Any) -> bool:
 def _scaled(value: Any, length: float, angle: float, placed: bool, depth: int) -> Any:
     """Return a copy with the x and y of places, heights and thetas in metres and radians."""
     if depth > 100:
-        raise GraphError("nested too deep")
+        raise GraphError(Message("nested too deep"))
     if isinstance(value, list):
         return [_scaled(one, length, angle, placed, depth + 1) for one in value]
     if not isinstance(value, dict):

@@ -30,6 +30,7 @@ from fleet_tui.model.graphs.document import (
     one_way_edges,
 )
 from fleet_tui.model.graphs.ids import unused
+from fleet_tui.text.language import Message
 
 VERSION = "1.0.0"
 _TURNS = {motion: degrees for degrees, motion in ORIENTATIONS.items()}
@@ -38,7 +39,7 @@ _TURNS = {motion: degrees for degrees, motion in ORIENTATIONS.items()}
 def write(document: GraphDocument, choices: WriteChoices) -> str:
     """Return the text of a document. Raises MissingChoiceError where no vehicle type may use a part of it."""
     if not choices.vehicle_type and lacks_vehicle_type(document):
-        text = "LIF needs the vehicle type that may use the graph"
+        text = Message("LIF needs the vehicle type that may use the graph")
         raise MissingChoiceError(text, "--vehicle-type")
     document = with_distinct_ids(document)
     own = dict(document.extra.get(OWN, {}))

@@ -23,6 +23,7 @@ from fleet_tui.model.graphs.document import (
     Stop,
 )
 from fleet_tui.model.graphs.ids import distinct
+from fleet_tui.text.language import Message
 
 MARK = "fleet_tui_graph"
 """The key by which such a file is recognised; its value is the version."""
@@ -33,7 +34,9 @@ Readers = Mapping[str, Callable[[Any, str], Any]]
 def _motion(value: Any, where: str) -> Motion:
     word = fields.text(value, where)
     if word not in (one.value for one in Motion):
-        raise GraphError(f"{where}: {word[:40]!r} is none of any, forward, backward")
+        raise GraphError(
+            Message("{where}: {word} is none of any, forward, backward", where=where, word=f"{word[:40]!r}")
+        )
     return Motion(word)
 
 
@@ -44,7 +47,7 @@ def _points(value: Any, where: str) -> Polyline:
 def _pair(value: Any, where: str) -> tuple[float, float]:
     parts = [fields.number(one, where) for one in fields.elements(value, where, 2)]
     if len(parts) != 2:
-        raise GraphError(f"{where}: must be two numbers")
+        raise GraphError(Message("{where}: must be two numbers", where=where))
     return parts[0], parts[1]
 
 
@@ -53,7 +56,7 @@ def _stops(value: Any, where: str) -> tuple[Stop, ...]:
     for stop in fields.elements(value, where, 20_000):
         parts = [fields.text(one, where) for one in fields.elements(stop, where, 2)]
         if len(parts) != 2:
-            raise GraphError(f"{where}: a stop must be [floor, vertex]")
+            raise GraphError(Message("{where}: a stop must be [floor, vertex]", where=where))
         found.append((parts[0], parts[1]))
     return tuple(found)
 
@@ -118,11 +121,23 @@ def read(tree: Any, choices: ReadChoices) -> GraphFile:
     table = dict(fields.mapping(tree, "file"))
     version = fields.required(table, MARK, fields.number, "file")
     if version != VERSION:
-        raise GraphError(f"version {version:g} of the format: this program reads {VERSION}; update it")
+        raise GraphError(
+            Message(
+                "version {version} of the format: this program reads {version2}; update it",
+                version=f"{version:g}",
+                version2=VERSION,
+            )
+        )
     name = fields.optional(table, "name", fields.text, "file") or ""
     floors = fields.optional_mapping(table.pop("floors", None), "floors")
     if len(floors) > fields.MOST_FLOORS:
-        raise GraphError(f"floors: {len(floors):,}, at most {fields.MOST_FLOORS}")
+        raise GraphError(
+            Message(
+                "floors: {floors}, at most {most_floors}",
+                floors=f"{len(floors):,}",
+                most_floors=fields.MOST_FLOORS,
+            )
+        )
     lifts = _placed(table.pop("lifts", None), LIFT, "lift")
     stations = _placed(table.pop("stations", None), STATION, "station")
     extra = _with_rest(_known(table, {"extra": _values}, "file"), table).get("extra", {})

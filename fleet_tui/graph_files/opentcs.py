@@ -24,6 +24,7 @@ from fleet_tui.model.graphs.document import (
     Station,
 )
 from fleet_tui.model.graphs.ids import distinct
+from fleet_tui.text.language import Message
 from fleet_tui.text.limits import MOST_EDGES, MOST_VERTICES, truncate
 
 OWN = GraphFormat.OPENTCS.value
@@ -40,19 +41,29 @@ def parse_xml(text: str) -> Element:
     encoding = (head and head[1]) or "UTF-8"
     try:
         if "\0" in text or text.encode(encoding, "replace") != text.encode():
-            raise GraphError(f"not in {encoding}, the encoding that it declares: save it as UTF-8")
+            raise GraphError(
+                Message(
+                    "not in {encoding}, the encoding that it declares: save it as UTF-8", encoding=encoding
+                )
+            )
         root = fromstring(text[head.end() if head else 0 :], forbid_dtd=True)
     except LookupError:
-        raise GraphError(f"unknown encoding {encoding}: save it as UTF-8") from None
+        raise GraphError(
+            Message("unknown encoding {encoding}: save it as UTF-8", encoding=encoding)
+        ) from None
     except DefusedXmlException:
-        raise GraphError("a DTD or entities, which are not read: remove them") from None
+        raise GraphError(Message("a DTD or entities, which are not read: remove them")) from None
     except ParseError as problem:
         line, _ = problem.position
-        raise GraphError(f"not XML: {str(problem).partition(':')[0]} in line {line}") from None
+        raise GraphError(
+            Message(
+                "not XML: {partition} in line {line}", partition=str(problem).partition(":")[0], line=line
+            )
+        ) from None
     except (ValueError, RecursionError) as problem:
-        raise GraphError(f"not XML: {truncate(str(problem), 200)}") from None
+        raise GraphError(Message("not XML: {truncate}", truncate=truncate(str(problem), 200))) from None
     if not isinstance(root, Element):
-        raise GraphError("not XML: no element")
+        raise GraphError(Message("not XML: no element"))
     return root
 
 
@@ -61,7 +72,11 @@ def read(tree: Any, choices: ReadChoices) -> GraphFile:
     root: Element = tree
     version = root.get("version", "")
     if version.partition(".")[0] not in VERSIONS:
-        raise GraphError(f"plant model {truncate(version, 20)!r}: save it with openTCS 6 or 7")
+        raise GraphError(
+            Message(
+                "plant model {truncate}: save it with openTCS 6 or 7", truncate=f"{truncate(version, 20)!r}"
+            )
+        )
     points, locations = (_elements(root, tag, MOST_VERTICES) for tag in ("point", "location"))
     paths = _elements(root, "path", MOST_EDGES)
     named = _linked(locations)
@@ -90,7 +105,14 @@ def read(tree: Any, choices: ReadChoices) -> GraphFile:
 def _elements(root: Element, tag: str, most: int) -> list[Element]:
     found = root.findall(tag)
     if len(found) > most:
-        raise GraphError(f"{len(found):,} {tag}s, at most {most:,} are supported")
+        raise GraphError(
+            Message(
+                "{found} {tag}s, at most {most} are supported",
+                found=f"{len(found):,}",
+                tag=tag,
+                most=f"{most:,}",
+            )
+        )
     return found
 
 
@@ -110,7 +132,7 @@ def _millimetres(element: Element, key: str, default: str | None = None) -> floa
     if text is None or not _INTEGER.fullmatch(text.strip()):
         where = f"{element.tag} {truncate(element.get('name', ''), 40)!r} {key}"
         shown = "nothing" if text is None else truncate(repr(text), 40)
-        raise GraphError(f"{where}: {shown} instead of whole millimetres")
+        raise GraphError(Message("{where}: {shown} instead of whole millimetres", where=where, shown=shown))
     return int(text) / 1000
 
 
@@ -156,7 +178,9 @@ def _heading(point: Element) -> float | None:
         degrees = float(text)
     except ValueError:
         where = f"point {truncate(_name(point), 40)!r} vehicleOrientationAngle"
-        raise GraphError(f"{where}: {truncate(repr(text), 40)} instead of degrees") from None
+        raise GraphError(
+            Message("{where}: {truncate} instead of degrees", where=where, truncate=truncate(repr(text), 40))
+        ) from None
     return math.radians(degrees) if math.isfinite(degrees) else None
 
 
@@ -223,7 +247,7 @@ def _scale(root: Element) -> tuple[float, float]:
         try:
             numbers.append(float(layout.get(key, "50.0")) * MM)
         except ValueError:
-            raise GraphError(f"visualLayout {key}: not a number") from None
+            raise GraphError(Message("visualLayout {key}: not a number", key=key)) from None
     return numbers[0], numbers[1]
 
 
@@ -234,7 +258,12 @@ def _control_points(path: Element, scale: tuple[float, float]) -> Polyline:
         try:
             x, y = float(point.get("x", "")), float(point.get("y", ""))
         except ValueError:
-            raise GraphError(f"path {truncate(_name(path), 40)!r}: a control point without x and y") from None
+            raise GraphError(
+                Message(
+                    "path {truncate}: a control point without x and y",
+                    truncate=f"{truncate(_name(path), 40)!r}",
+                )
+            ) from None
         found.append((x * scale[0], -y * scale[1]))
     return tuple(found)
 

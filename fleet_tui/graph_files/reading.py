@@ -9,6 +9,7 @@ from fleet_tui.graph_files.graph_file import GraphFile, ReadChoices
 from fleet_tui.graph_files.json_text import parse_json
 from fleet_tui.graph_files.yaml_text import parse_yaml, settled
 from fleet_tui.model.graphs.document import GraphFormat
+from fleet_tui.text.language import Message
 
 LARGEST = 40_000_000
 """Maximum bytes of a graph file: some 500 for each of the maximum vertices and edges."""
@@ -26,13 +27,15 @@ def read_graph(text: str, format_: GraphFormat | None, choices: ReadChoices) -> 
     """
     text = text.removeprefix("\ufeff")
     if not text.strip():
-        raise GraphError(f"empty; {KNOWN}")
+        raise GraphError(Message("empty; {known}", known=KNOWN))
     tree, found = _parsed(text, format_)
     chosen = format_ or found
     if chosen is None:
-        raise GraphError(f"no known format; {KNOWN}")
+        raise GraphError(Message("no known format; {known}", known=KNOWN))
     if found is not None and found is not chosen and not {chosen, found} <= _ALIKE:
-        raise GraphError(f"not {chosen.value} but {found.value}: leave out --from")
+        raise GraphError(
+            Message("not {value} but {value2}: leave out --from", value=chosen.value, value2=found.value)
+        )
     return _reader(chosen)(tree, choices)
 
 
@@ -106,7 +109,14 @@ def format_named(word: str) -> GraphFormat:
     """Return a format by its name. Raises GraphError."""
     names = [one.value for one in GraphFormat]
     if word not in names:
-        raise GraphError(f"unknown format {word[:40]!r}{did_you_mean(word, names)}; {KNOWN}")
+        raise GraphError(
+            Message(
+                "unknown format {word}{did_you_mean}; {known}",
+                word=f"{word[:40]!r}",
+                did_you_mean=did_you_mean(word, names),
+                known=KNOWN,
+            )
+        )
     return GraphFormat(word)
 
 

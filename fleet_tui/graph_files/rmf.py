@@ -23,6 +23,7 @@ from fleet_tui.model.graphs.document import (
     one_way_edges,
 )
 from fleet_tui.model.graphs.ids import is_number
+from fleet_tui.text.language import Message
 
 OWN = GraphFormat.RMF.value
 FLAGS = {
@@ -71,7 +72,7 @@ def _parts(value: Any, where: str) -> tuple[Any, Any, Table]:
     """Return the first two parts of a list and its options, which may be missing."""
     parts = fields.elements(value, where, 3)
     if len(parts) < 2:
-        raise GraphError(f"{where}: must be a list of three parts")
+        raise GraphError(Message("{where}: must be a list of three parts", where=where))
     return parts[0], parts[1], dict(fields.optional_mapping(parts[2], where)) if len(parts) > 2 else {}
 
 

@@ -22,6 +22,7 @@ from fleet_tui.model.graphs.document import (
     Motion,
     Stop,
 )
+from fleet_tui.text.language import Message
 
 FASTEST = 1e6
 """Metres per second; a larger limit is none."""
@@ -73,7 +74,7 @@ def _params(value: Any, where: str) -> Table:
     for key, one in fields.optional_mapping(value, where).items():
         parts = fields.elements(one, f"{where} {key[:40]}", 2)
         if len(parts) != 2:
-            raise GraphError(f"{where} {key[:40]}: must be [type, value]")
+            raise GraphError(Message("{where} {key}: must be [type, value]", where=where, key=key[:40]))
         # Type 1 is text, whatever it looks like.
         found[key] = str(parts[1]) if settled(parts[0]) == 1 else settled(parts[1])
     return found
@@ -86,7 +87,7 @@ def _lanes(name: str, level: Table) -> Iterator[tuple[int, int, int, Table]]:
         where = f"level {name[:40]} lane {n}"
         parts = fields.elements(lane, where, 3)
         if len(parts) < 2:
-            raise GraphError(f"{where}: must be a list of three parts")
+            raise GraphError(Message("{where}: must be a list of three parts", where=where))
         start, end = (fields.index(part, size, where) for part in parts[:2])
         yield n, start, end, _params(parts[2], where) if len(parts) > 2 else {}
 
@@ -102,10 +103,16 @@ def _chosen(levels: Levels, wanted: int | None) -> int:
     numbers = tuple(str(one) for one in there)
     if wanted is not None:
         if there and wanted not in there:
-            raise GraphError(f"no graph {wanted} in the building: it has {', '.join(numbers)}")
+            raise GraphError(
+                Message(
+                    "no graph {wanted} in the building: it has {numbers}",
+                    wanted=wanted,
+                    numbers=", ".join(numbers),
+                )
+            )
         return wanted
     if len(there) > 1:
-        text = f"the building has the graphs {', '.join(numbers)}: choose one"
+        text = Message("the building has the graphs {numbers}: choose one", numbers=", ".join(numbers))
         raise MissingChoiceError(text, "--building-graph", numbers)
     return there[0] if there else 0
 
@@ -113,7 +120,7 @@ def _chosen(levels: Levels, wanted: int | None) -> int:
 def _place(part: Any, where: str) -> tuple[float, float]:
     parts = fields.elements(part, where, 5)
     if len(parts) < 2:
-        raise GraphError(f"{where}: must begin with x and y")
+        raise GraphError(Message("{where}: must begin with x and y", where=where))
     return fields.number(parts[0], where), fields.number(parts[1], where)
 
 
@@ -126,12 +133,19 @@ def _scale(name: str, level: Table) -> float:
         at = f"{where} measurement {n}"
         parts = fields.elements(part, at, 3)
         if len(parts) < 3:
-            raise GraphError(f"{at}: must be a list of three parts")
+            raise GraphError(Message("{at}: must be a list of three parts", at=at))
         ends = [_place(vertices[fields.index(one, len(vertices), at)], at) for one in parts[:2]]
         metres = fields.number(_params(parts[2], at).get("distance"), f"{at} distance")
         pixels = math.dist(*ends)
         if not (pixels > 0 and 0 < metres < math.inf):
-            raise GraphError(f"{at}: {metres:g} m over {pixels:g} pixels gives no scale")
+            raise GraphError(
+                Message(
+                    "{at}: {metres} m over {pixels} pixels gives no scale",
+                    at=at,
+                    metres=f"{metres:g}",
+                    pixels=f"{pixels:g}",
+                )
+            )
         found.append(metres / pixels)
     return sum(found) / len(found) if found else 0.0
 
@@ -171,7 +185,7 @@ def _fitted(shared: list[tuple[complex, complex]], reference: Placing, name: str
     middle, target = sum(points) / len(points), sum(targets) / len(targets)
     spread = sum(abs(point - middle) ** 2 for point in points)
     if not (0.0 < spread < math.inf):
-        raise GraphError(f"level {name[:40]}: its fiducials are all at one point")
+        raise GraphError(Message("level {name}: its fiducials are all at one point", name=name[:40]))
     turned = sum(
         (point - middle).conjugate() * (other - target) for point, other in zip(points, targets, strict=True)
     )

@@ -7,6 +7,7 @@ from fleet_tui.errors import GraphError
 from fleet_tui.graph_files import geojson, lif_text, native_text, oh, rmf
 from fleet_tui.graph_files.graph_file import MissingChoiceError, WriteChoices
 from fleet_tui.model.graphs.document import DocumentFloor, GraphDocument, GraphFormat
+from fleet_tui.text.language import Message
 from fleet_tui.text.limits import truncate
 
 Write = Callable[[GraphDocument, WriteChoices], str]
@@ -34,10 +35,20 @@ def write_graph(document: GraphDocument, format_: GraphFormat, choices: WriteCho
     what it needs."""
     if format_ not in WRITERS:
         writable = ", ".join(one.value for one in WRITERS)
-        raise GraphError(f"{format_.value} can be read, not written: choose one of {writable}")
+        raise GraphError(
+            Message(
+                "{value} can be read, not written: choose one of {writable}",
+                value=format_.value,
+                writable=writable,
+            )
+        )
     if format_ in ONE_FLOOR and len(document.floors) != 1:
         names = tuple(document.floors)
-        text = f"{format_.value} has a file for each floor: choose one of {', '.join(names[:10]) or 'none'}"
+        text = Message(
+            "{value} has a file for each floor: choose one of {names}",
+            value=format_.value,
+            names=", ".join(names[:10]) or "none",
+        )
         raise MissingChoiceError(text, "--floor", names)
     if format_ is not GraphFormat.NATIVE:
         for floor in document.floors.values():
@@ -46,8 +57,10 @@ def write_graph(document: GraphDocument, format_: GraphFormat, choices: WriteCho
         return WRITERS[format_](document, choices)
     except (TypeError, ValueError, LookupError, AttributeError) as problem:
         # Only `extra` is unchecked: a native file may have anything there.
-        text = (
-            f"contents kept for {format_.value} are not as the format has them: {truncate(str(problem), 80)}"
+        text = Message(
+            "contents kept for {value} are not as the format has them: {truncate}",
+            value=format_.value,
+            truncate=truncate(str(problem), 80),
         )
         raise GraphError(text) from problem
 
@@ -61,13 +74,38 @@ def _check(floor: DocumentFloor) -> None:
     """Raise GraphError for what no format but our own can hold."""
     for vertex in floor.vertices.values():
         if not (math.isfinite(vertex.x) and math.isfinite(vertex.y)):
-            raise GraphError(f"vertex {vertex.id} on {floor.name}: x or y is not finite: correct it first")
+            raise GraphError(
+                Message(
+                    "vertex {name} on {name2}: x or y is not finite: correct it first",
+                    name=vertex.id,
+                    name2=floor.name,
+                )
+            )
         if vertex.heading is not None and not math.isfinite(vertex.heading):
-            raise GraphError(f"vertex {vertex.id} on {floor.name}: heading is not finite: correct it first")
+            raise GraphError(
+                Message(
+                    "vertex {name} on {name2}: heading is not finite: correct it first",
+                    name=vertex.id,
+                    name2=floor.name,
+                )
+            )
     for edge in floor.edges.values():
         lost = [end for end in (edge.start, edge.end) if end not in floor.vertices]
         if lost:
-            raise GraphError(f"edge {edge.id} on {floor.name}: unknown vertex {lost[0]}: correct it first")
+            raise GraphError(
+                Message(
+                    "edge {name} on {name2}: unknown vertex {lost}: correct it first",
+                    name=edge.id,
+                    name2=floor.name,
+                    lost=lost[0],
+                )
+            )
         numbers = edge.speed, edge.speed_percent, edge.cost, edge.length
         if not all(math.isfinite(one) for one in numbers if one is not None):
-            raise GraphError(f"edge {edge.id} on {floor.name}: a value is not finite: correct it first")
+            raise GraphError(
+                Message(
+                    "edge {name} on {name2}: a value is not finite: correct it first",
+                    name=edge.id,
+                    name2=floor.name,
+                )
+            )

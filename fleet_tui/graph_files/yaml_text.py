@@ -12,6 +12,7 @@ import yaml
 
 from fleet_tui.errors import GraphError
 from fleet_tui.graph_files.json_text import quoted
+from fleet_tui.text.language import Message
 from fleet_tui.text.limits import truncate
 
 DEEPEST = 40
@@ -72,7 +73,9 @@ class _Builder:
         """Add a value to the innermost list or mapping; as a mapping's key where one is expected."""
         self.count += 1
         if self.count > MOST_NODES:
-            raise GraphError(f"over {MOST_NODES:,} values: split the file")
+            raise GraphError(
+                Message("over {most_nodes} values: split the file", most_nodes=f"{MOST_NODES:,}")
+            )
         if not self._stack:
             self.result = value
             return
@@ -82,7 +85,13 @@ class _Builder:
         elif self._key is None:
             self._key = _key(value, line)
             if self._key in holder:
-                raise GraphError(f"line {line}: key {truncate(self._key, 40)!r} twice: remove one")
+                raise GraphError(
+                    Message(
+                        "line {line}: key {truncate} twice: remove one",
+                        line=line,
+                        truncate=f"{truncate(self._key, 40)!r}",
+                    )
+                )
         else:
             holder[self._key] = value
             self._key = None
@@ -90,9 +99,17 @@ class _Builder:
     def alias(self, anchor: str, line: int) -> None:
         """Add the value of an anchor."""
         if anchor in self._open:
-            raise GraphError(f"line {line}: alias *{truncate(anchor, 40)} within its own value: write it out")
+            raise GraphError(
+                Message(
+                    "line {line}: alias *{truncate} within its own value: write it out",
+                    line=line,
+                    truncate=truncate(anchor, 40),
+                )
+            )
         if anchor not in self._anchors:
-            raise GraphError(f"line {line}: unknown alias *{truncate(anchor, 40)}")
+            raise GraphError(
+                Message("line {line}: unknown alias *{truncate}", line=line, truncate=truncate(anchor, 40))
+            )
         value, size = self._anchors[anchor]
         self.count += size
         self.add(value, line)
@@ -104,9 +121,11 @@ class _Builder:
     def enter(self, value: Any, anchor: str | None, line: int) -> None:
         """Begin a list or a mapping."""
         if len(self._stack) >= DEEPEST:
-            raise GraphError(f"line {line}: nested more than {DEEPEST} deep")
+            raise GraphError(
+                Message("line {line}: nested more than {deepest} deep", line=line, deepest=DEEPEST)
+            )
         if self._key is None and self._stack and type(self._stack[-1][0]) is dict:
-            raise GraphError(f"line {line}: a key must be text")
+            raise GraphError(Message("line {line}: a key must be text", line=line))
         self.add(value, line)
         self._stack.append((value, anchor, self.count))
         if anchor is not None:
@@ -121,7 +140,7 @@ class _Builder:
 
 def _key(value: Any, line: int) -> str:
     if not isinstance(value, str):
-        raise GraphError(f"line {line}: a key must be text")
+        raise GraphError(Message("line {line}: a key must be text", line=line))
     return str(value)
 
 
@@ -133,11 +152,15 @@ def parse_yaml(text: str) -> Any:
     except yaml.MarkedYAMLError as problem:
         mark = problem.problem_mark or problem.context_mark
         where = f" in line {mark.line + 1}" if mark else ""
-        raise GraphError(f"not YAML: {problem.problem or problem.context}{where}") from None
+        raise GraphError(
+            Message("not YAML: {problem}{where}", problem=problem.problem or problem.context, where=where)
+        ) from None
     except yaml.YAMLError as problem:
-        raise GraphError(f"not YAML: {truncate(' '.join(str(problem).split()), 200)}") from None
+        raise GraphError(
+            Message("not YAML: {truncate}", truncate=truncate(" ".join(str(problem).split()), 200))
+        ) from None
     except (RecursionError, ValueError) as problem:
-        raise GraphError(f"not YAML: {truncate(str(problem), 200)}") from None
+        raise GraphError(Message("not YAML: {truncate}", truncate=truncate(str(problem), 200))) from None
     return builder.result
 
 
@@ -164,13 +187,21 @@ def _build(builder: _Builder, text: str) -> None:
         elif kind is yaml.DocumentStartEvent:
             documents += 1
             if documents > 1:
-                raise GraphError(f"line {event.start_mark.line + 1}: a second document: split the file")
+                raise GraphError(
+                    Message("line {line}: a second document: split the file", line=event.start_mark.line + 1)
+                )
 
 
 def _check_tag(event: Any) -> None:
     if event.tag is not None:
         line = event.start_mark.line + 1
-        raise GraphError(f"line {line}: tag {truncate(event.tag, 40)!r} not supported: remove it")
+        raise GraphError(
+            Message(
+                "line {line}: tag {truncate} not supported: remove it",
+                line=line,
+                truncate=f"{truncate(event.tag, 40)!r}",
+            )
+        )
 
 
 def flow(value: Any) -> str:

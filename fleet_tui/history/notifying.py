@@ -8,9 +8,10 @@ from fleet_tui.config.schema import Config
 from fleet_tui.history.writer import takes, turn_at
 from fleet_tui.log_file import state_folder
 from fleet_tui.programs.notify import AlarmProgram
+from fleet_tui.text.language import Message
 
 
-def alarm_program(config: Config, say: Callable[[str], None]) -> AlarmProgram | None:
+def alarm_program(config: Config, say: Callable[[Message], None]) -> AlarmProgram | None:
     """Return the program for a site's alarms, None without one. It is called by the process of this user that
     looked first; when that ends, by another one."""
     if not config.notify.command:

@@ -34,7 +34,7 @@ from fleet_tui.state.store import Store
 from fleet_tui.storage.lock import LockFile
 from fleet_tui.storage.worker import Worker
 from fleet_tui.storage.write_queue import WriteQueue
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message, verbatim
 
 LOG = logging.getLogger(__name__)
 
@@ -57,7 +57,7 @@ class HistoryWriter:
 
     def __init__(self, path: Path, audit: Path, config: HistoryConfig, store: Store, origin: Origin) -> None:
         self.path = path
-        self.problem = ""
+        self.problem = EMPTY
         self.note = ""
         self._audit = audit
         self._config = config
@@ -77,10 +77,10 @@ class HistoryWriter:
         self._worker = Worker("history", self._step, EVERY, self._end)
 
     @property
-    def notes(self) -> list[str]:
+    def notes(self) -> list[Message]:
         """Return notes for the operator; empty while all is written."""
         told = (
-            [Message("not written: {problem}", problem=Message(self.problem))]
+            [Message("not written: {problem}", problem=self.problem)]
             if self.problem
             else [self.note]
             if self.note
@@ -158,7 +158,7 @@ class HistoryWriter:
         except (sqlite3.Error, OSError) as problem:
             self._failed(problem)
         else:
-            self.problem = ""
+            self.problem = EMPTY
             if self._facts.lost:
                 LOG.error("history: %d facts not written", self._facts.lost)
                 self._facts.lost = 0
@@ -203,7 +203,7 @@ class HistoryWriter:
                 self._seen.add(robot.name)
 
     def _failed(self, problem: sqlite3.Error | OSError) -> None:
-        words = getattr(problem, "strerror", None) or str(problem)
+        words = verbatim(getattr(problem, "strerror", None) or problem)
         if self._database is not None:
             with suppress(sqlite3.Error):
                 self._database.close()

@@ -4,6 +4,7 @@ from collections.abc import Callable
 
 from fleet_tui.actions import Actions, DriveActions
 from fleet_tui.keys.key import Key, Pane
+from fleet_tui.text.language import EMPTY, Message
 
 PASSES = frozenset(
     {
@@ -32,7 +33,11 @@ WHILE_HELD = {
 
 
 def _drive(
-    name: str, keys: tuple[str, ...], do: Callable[[DriveActions], object], text: str, hint: str = ""
+    name: str,
+    keys: tuple[str, ...],
+    do: Callable[[DriveActions], object],
+    text: Message,
+    hint: Message = EMPTY,
 ) -> Key[Actions]:
     return Key(
         f"drive_{name}",
@@ -51,19 +56,27 @@ DRIVE: tuple[Key[Actions], ...] = (
         "drive",
         ("T",),
         lambda do: do.drive.start(),
-        "Drive the selected robot by hand. Not an emergency stop",
+        Message("Drive the selected robot by hand. Not an emergency stop"),
         needs="drive",
         commands=True,
         sets_up=True,
         only_live=True,
     ),
-    _drive("ahead", ("w",), lambda do: do.press("w"), "Ahead, while held", "ahead"),
-    _drive("back", ("s",), lambda do: do.press("s"), "Back, while held", "back"),
-    _drive("left", ("a",), lambda do: do.press("a"), "Turn left, while held", "left"),
-    _drive("right", ("d",), lambda do: do.press("d"), "Turn right, while held", "right"),
-    _drive("leave", ("escape",), lambda do: do.leave(), "Stop and leave; any other key stops", "leave"),
-    _drive("sideways_left", ("q",), lambda do: do.press("q"), "Sideways to the left, if it can"),
-    _drive("sideways_right", ("e",), lambda do: do.press("e"), "Sideways to the right, if it can"),
-    _drive("faster", ("+",), lambda do: do.change_speed(1), "Faster, up to the cap", "faster"),
-    _drive("slower", ("-",), lambda do: do.change_speed(-1), "Slower", "slower"),
+    _drive("ahead", ("w",), lambda do: do.press("w"), Message("Ahead, while held"), Message("ahead")),
+    _drive("back", ("s",), lambda do: do.press("s"), Message("Back, while held"), Message("back")),
+    _drive("left", ("a",), lambda do: do.press("a"), Message("Turn left, while held"), Message("left")),
+    _drive("right", ("d",), lambda do: do.press("d"), Message("Turn right, while held"), Message("right")),
+    _drive(
+        "leave",
+        ("escape",),
+        lambda do: do.leave(),
+        Message("Stop and leave; any other key stops"),
+        Message("leave"),
+    ),
+    _drive("sideways_left", ("q",), lambda do: do.press("q"), Message("Sideways to the left, if it can")),
+    _drive("sideways_right", ("e",), lambda do: do.press("e"), Message("Sideways to the right, if it can")),
+    _drive(
+        "faster", ("+",), lambda do: do.change_speed(1), Message("Faster, up to the cap"), Message("faster")
+    ),
+    _drive("slower", ("-",), lambda do: do.change_speed(-1), Message("Slower"), Message("slower")),
 )

@@ -4,14 +4,14 @@ from collections.abc import Callable
 
 from fleet_tui.actions.panes import HistoryActions
 from fleet_tui.keys.key import Key, Pane
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import N_, Message
 
 HISTORY_PAGES = {
-    "Events": "orders, alarms, commands, links, notes",
-    "Robots": "what each did, as a picture",
-    "Batteries": "their curves and forecasts",
-    "Alarms": "when each held",
-    "Places": "where robots were blocked, on the map",
+    N_("Events"): Message("orders, alarms, commands, links, notes"),
+    N_("Robots"): Message("what each did, as a picture"),
+    N_("Batteries"): Message("their curves and forecasts"),
+    N_("Alarms"): Message("when each held"),
+    N_("Places"): Message("where robots were blocked, on the map"),
 }
 """The pages of the history with their contents."""
 
@@ -21,29 +21,36 @@ def _page(number: int) -> Callable[[HistoryActions], None]:
 
 
 def _key(
-    id_: str, keys: tuple[str, ...], action: Callable[[HistoryActions], None], text: str
+    id_: str, keys: tuple[str, ...], action: Callable[[HistoryActions], None], text: Message
 ) -> Key[HistoryActions]:
     return Key(f"history_{id_}", keys, action, text, pane=Pane.HISTORY)
 
 
 HISTORY: tuple[Key[HistoryActions], ...] = (
     *(
-        _key(name.lower(), (str(n),), _page(n), Message("Page {n}: {text}", n=n, text=Message(text)))
+        _key(name.lower(), (str(n),), _page(n), Message("Page {n}: {text}", n=n, text=text))
         for n, (name, text) in enumerate(HISTORY_PAGES.items(), 1)
     ),
-    _key("next_page", ("tab",), lambda do: do.step_page(1), "Next page"),
-    _key("previous_page", ("shift+tab",), lambda do: do.step_page(-1), "Previous page"),
-    _key("filter", ("/",), lambda do: do.filter(), "Filter: words, !word; a robot, a place, an outcome"),
-    _key("earlier", (",",), lambda do: do.shift(-1), "Earlier, by half of the time shown"),
-    _key("later", (".",), lambda do: do.shift(1), "Later; at last up to now"),
-    _key("longer", ("-",), lambda do: do.stretch(1), "Longer time: 15 min, 1 h, 8 h, 24 h, 7 d, 30 d"),
-    _key("shorter", ("+",), lambda do: do.stretch(-1), "Shorter time"),
-    _key("floor", ("f",), lambda do: do.next_floor(), "Next floor, on the page of places"),
+    _key("next_page", ("tab",), lambda do: do.step_page(1), Message("Next page")),
+    _key("previous_page", ("shift+tab",), lambda do: do.step_page(-1), Message("Previous page")),
+    _key(
+        "filter",
+        ("/",),
+        lambda do: do.filter(),
+        Message("Filter: words, !word; a robot, a place, an outcome"),
+    ),
+    _key("earlier", (",",), lambda do: do.shift(-1), Message("Earlier, by half of the time shown")),
+    _key("later", (".",), lambda do: do.shift(1), Message("Later; at last up to now")),
+    _key(
+        "longer", ("-",), lambda do: do.stretch(1), Message("Longer time: 15 min, 1 h, 8 h, 24 h, 7 d, 30 d")
+    ),
+    _key("shorter", ("+",), lambda do: do.stretch(-1), Message("Shorter time")),
+    _key("floor", ("f",), lambda do: do.next_floor(), Message("Next floor, on the page of places")),
     _key(
         "replay",
         ("o",),
         lambda do: do.replay(),
-        "Open the recording of the marked row's time, else of the end of the time shown",
+        Message("Open the recording of the marked row's time, else of the end of the time shown"),
     ),
-    _key("leave", ("escape", "q"), lambda do: do.leave(), "Go back"),
+    _key("leave", ("escape", "q"), lambda do: do.leave(), Message("Go back")),
 )

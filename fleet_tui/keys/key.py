@@ -6,6 +6,8 @@ from typing import Generic, Literal, TypeVar
 
 from msgspec import Struct
 
+from fleet_tui.text.language import EMPTY, N_, Message
+
 LISTS = "lists orders"
 """A need: of robots that report their orders."""
 
@@ -17,21 +19,21 @@ Doer = TypeVar("Doer")
 class Pane(Enum):
     """The places in which keys work, with their titles in help."""
 
-    CONSOLE = "Everywhere"
-    ANYWHERE = "Everywhere, also while typing"
+    CONSOLE = N_("Everywhere")
+    ANYWHERE = N_("Everywhere, also while typing")
     """Works in text fields, forms and modals, too."""
-    RECORDING = "The recording"
+    RECORDING = N_("The recording")
     """Everywhere, while a recording is played."""
-    MAP = "Map"
-    PLACE = "Pose (I), goal (G)"
+    MAP = N_("Map")
+    PLACE = N_("Pose (I), goal (G)")
     """On the map, while a place with a heading is chosen: they take precedence over all others."""
-    EDIT = "Graph editor (E)"
+    EDIT = N_("Graph editor (E)")
     """On the map, while a draft is edited: they take precedence over all others."""
-    DRIVE = "Driving by hand (T)"
+    DRIVE = N_("Driving by hand (T)")
     """On the map, while a robot is driven: they take precedence over all others, and any other key stops."""
-    ROWS = "Tables: fleet, alarms, queue"
-    DIAGNOSTICS = "Diagnostics (d)"
-    HISTORY = "History (H)"
+    ROWS = N_("Tables: fleet, alarms, queue")
+    DIAGNOSTICS = N_("Diagnostics (d)")
+    HISTORY = N_("History (H)")
 
     @property
     def is_mode(self) -> bool:
@@ -51,9 +53,9 @@ class Key(Struct, Generic[Doer], frozen=True):
     id: str
     keys: tuple[str, ...]
     action: Callable[[Doer], object]
-    text: str
+    text: Message
     pane: Pane = Pane.CONSOLE
-    hint: str = ""
+    hint: Message = EMPTY
     """The footer's label, empty to be left out of the footer."""
     needs: str = ""
     """A verb that a robot must accept for the key to be offered, or LISTS."""

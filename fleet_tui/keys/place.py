@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 from fleet_tui.actions import Actions, PlaceActions
 from fleet_tui.keys.key import Key, Pane
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message
 
 TURN = 5
 FINE_TURN = 1
@@ -12,7 +12,11 @@ FINE_TURN = 1
 
 
 def _place(
-    name: str, keys: tuple[str, ...], do: Callable[[PlaceActions], object], text: str, hint: str = ""
+    name: str,
+    keys: tuple[str, ...],
+    do: Callable[[PlaceActions], object],
+    text: Message,
+    hint: Message = EMPTY,
 ) -> Key[Actions]:
     return Key(
         f"place_{name}",
@@ -31,8 +35,8 @@ PLACE: tuple[Key[Actions], ...] = (
         "laser",
         ("u",),
         lambda do: do.place.laser(),
-        "Laser scan of the selected robot on or off",
-        hint="laser",
+        Message("Laser scan of the selected robot on or off"),
+        hint=Message("laser"),
         helps="stays",
         needs="scan",
         only_live=True,
@@ -41,7 +45,7 @@ PLACE: tuple[Key[Actions], ...] = (
         "path",
         ("U",),
         lambda do: do.place.path(),
-        "Planned path of the selected robot on or off",
+        Message("Planned path of the selected robot on or off"),
         needs="path",
         only_live=True,
     ),
@@ -49,8 +53,8 @@ PLACE: tuple[Key[Actions], ...] = (
         "camera",
         ("V",),
         lambda do: do.place.camera(),
-        "Camera of the selected robot on or off",
-        hint="camera",
+        Message("Camera of the selected robot on or off"),
+        hint=Message("camera"),
         helps="stays",
         needs="camera",
         only_live=True,
@@ -59,7 +63,7 @@ PLACE: tuple[Key[Actions], ...] = (
         "pose",
         ("I",),
         lambda do: do.place.pose(),
-        "Set the robot's pose: cursor and heading on the map",
+        Message("Set the robot's pose: cursor and heading on the map"),
         needs="pose",
         commands=True,
         sets_up=True,
@@ -70,7 +74,7 @@ PLACE: tuple[Key[Actions], ...] = (
         "goal",
         ("G",),
         lambda do: do.place.goal(),
-        "Send the robot to a place with a heading",
+        Message("Send the robot to a place with a heading"),
         needs="goal",
         commands=True,
         only_live=True,
@@ -79,23 +83,25 @@ PLACE: tuple[Key[Actions], ...] = (
         "mapping",
         ("M",),
         lambda do: do.place.mapping(),
-        "Mapping: on, off, the live map, save it",
+        Message("Mapping: on, off, the live map, save it"),
         only_live=True,
     ),
-    _place("send", ("enter",), lambda do: do.send(), "Ask, then send the pose or goal", "send"),
+    _place(
+        "send", ("enter",), lambda do: do.send(), Message("Ask, then send the pose or goal"), Message("send")
+    ),
     _place(
         "left",
         ("h",),
         lambda do: do.turn(TURN),
         Message("Turn the heading {TURN} degrees to the left", TURN=TURN),
-        "turn left",
+        Message("turn left"),
     ),
     _place(
         "right",
         ("l",),
         lambda do: do.turn(-TURN),
         Message("Turn the heading {TURN} degrees to the right", TURN=TURN),
-        "right",
+        Message("right"),
     ),
     _place(
         "fine_left",
@@ -110,7 +116,11 @@ PLACE: tuple[Key[Actions], ...] = (
         Message("Turn {FINE_TURN} degree to the right", FINE_TURN=FINE_TURN),
     ),
     _place(
-        "snap", ("s",), lambda do: do.snap(), "Snap the pose to the best fit of the scan nearby", "best fit"
+        "snap",
+        ("s",),
+        lambda do: do.snap(),
+        Message("Snap the pose to the best fit of the scan nearby"),
+        Message("best fit"),
     ),
-    _place("leave", ("escape",), lambda do: do.leave(), "Leave without sending", "back"),
+    _place("leave", ("escape",), lambda do: do.leave(), Message("Leave without sending"), Message("back")),
 )

@@ -2,22 +2,23 @@
 
 from fleet_tui.actions import Actions
 from fleet_tui.keys.key import Key
+from fleet_tui.text.language import Message
 
 TABLES: tuple[Key[Actions], ...] = (
     Key(
         "filter_rows",
         ("/",),
         lambda do: do.rows.filter(),
-        "Filter the table: words, !word, key:value",
-        hint="filter",
+        Message("Filter the table: words, !word, key:value"),
+        hint=Message("filter"),
         of_rows=True,
     ),
     Key(
         "mark_row",
         ("space",),
         lambda do: do.rows.mark(),
-        "Mark the row: the next command goes to all marked ones",
-        hint="mark",
+        Message("Mark the row: the next command goes to all marked ones"),
+        hint=Message("mark"),
         only_live=True,
         of_rows=True,
     ),
@@ -25,8 +26,8 @@ TABLES: tuple[Key[Actions], ...] = (
         "sort_rows",
         ("S",),
         lambda do: do.rows.sort(),
-        "Sort the table by its next column",
-        hint="sort",
+        Message("Sort the table by its next column"),
+        hint=Message("sort"),
         only_live=True,
         of_rows=True,
     ),
@@ -34,14 +35,14 @@ TABLES: tuple[Key[Actions], ...] = (
         "group_rows",
         ("Z",),
         lambda do: do.rows.group(),
-        "Group the fleet by floor, by link, or not; Enter folds a group",
+        Message("Group the fleet by floor, by link, or not; Enter folds a group"),
         of_rows=True,
     ),
     Key(
         "copy_row",
         ("y",),
         lambda do: do.rows.copy(),
-        "Copy the row to the clipboard (OSC 52)",
+        Message("Copy the row to the clipboard (OSC 52)"),
         of_rows=True,
     ),
 )

@@ -9,6 +9,7 @@ from fleet_tui.graph_files.graph_file import GraphFile, ReadChoices
 from fleet_tui.graph_files.reading import LARGEST, read_graph
 from fleet_tui.model.graphs.document import GraphFormat
 from fleet_tui.storage.whole_file import write_whole
+from fleet_tui.text.language import Message
 
 
 def graph_text(path: Path) -> str:
@@ -16,15 +17,17 @@ def graph_text(path: Path) -> str:
     try:
         return read_text(path, LARGEST)
     except FileNotFoundError:
-        raise GraphError("no such file") from None
+        raise GraphError(Message("no such file")) from None
     except UnicodeDecodeError as problem:
-        raise GraphError(f"not UTF-8 at byte {problem.start:,}: save it as UTF-8") from None
+        raise GraphError(
+            Message("not UTF-8 at byte {start}: save it as UTF-8", start=f"{problem.start:,}")
+        ) from None
     except IsADirectoryError:
-        raise GraphError("is a folder: name a file") from None
+        raise GraphError(Message("is a folder: name a file")) from None
     except OSError as problem:
-        raise GraphError(f"unreadable: {problem.strerror or problem}") from None
+        raise GraphError(Message("unreadable: {strerror}", strerror=problem.strerror or problem)) from None
     except ValueError as problem:
-        raise GraphError(f"unreadable: {problem}") from None
+        raise GraphError(Message("unreadable: {problem}", problem=problem)) from None
 
 
 def load_graph_file(path: Path, format_: GraphFormat | None, choices: ReadChoices) -> GraphFile:
@@ -39,13 +42,15 @@ def save_graph_file(path: Path, text: str, keep: bool = True) -> Path | None:
     """
     # A stream that happens to be a file would be replaced under the hands of whoever reads it.
     if path.absolute().parts[1:2] in (("dev",), ("proc",)):
-        raise GraphError("not a regular file")
+        raise GraphError(Message("not a regular file"))
     if path.is_dir():
-        raise GraphError("is a folder: name a file")
+        raise GraphError(Message("is a folder: name a file"))
     if path.exists() and not path.is_file():
-        raise GraphError("not a regular file")
+        raise GraphError(Message("not a regular file"))
     try:
         path = written_file(path)
         return write_whole(path, text.encode(), keep=keep, is_shared=True)
     except OSError as problem:
-        raise GraphError(f"cannot be written: {problem.strerror or problem}") from None
+        raise GraphError(
+            Message("cannot be written: {strerror}", strerror=problem.strerror or problem)
+        ) from None

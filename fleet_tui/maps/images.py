@@ -57,13 +57,17 @@ def load_floor_map(floor: str, path: Path, added: bool) -> FloorMapLoaded:
         frame = MapFrame(1.0, classes.shape[1], classes.shape[0])
         return FloorMapLoaded(floor, build_grid(frame, classes), tied=False)
     except MapError as problem:
-        return FloorMapLoaded(floor, None, f"map {path.name}: {problem}")
+        return FloorMapLoaded(floor, None, Message("map {name}: {problem}", name=path.name, problem=problem))
 
 
 def _number(table: dict[str, Any], key: str, default: float | None = None) -> float:
     value = table.get(key, default)
     if isinstance(value, bool) or not isinstance(value, int | float) or not abs(value) <= 1e300:
-        raise MapError(f"{key} must be a number" if key in table else f"{key} is missing")
+        raise MapError(
+            Message("{key} must be a number", key=key)
+            if key in table
+            else Message("{key} is missing", key=key)
+        )
     return float(value)
 
 
@@ -71,7 +75,7 @@ def _from_yaml(path: Path, added: bool) -> OccupancyGrid:
     table = _table(path)
     origin = table.get("origin")
     if not isinstance(origin, list) or len(origin) not in (2, 3):
-        raise MapError("origin must be [x, y, yaw]")
+        raise MapError(Message("origin must be [x, y, yaw]"))
     x, y, yaw = (_number({"origin": part}, "origin") for part in [*origin, 0.0][:3])
     resolution = _number(table, "resolution")
     # Before the image: an error in the small file should not cost the reading of the large one.
@@ -97,29 +101,31 @@ def _table(path: Path) -> dict[str, Any]:
     try:
         table = yaml.load(read_text(path, MAX_YAML), _WithoutAliases)
     except FileNotFoundError:
-        raise MapError("no such file") from None
+        raise MapError(Message("no such file")) from None
     except UnicodeDecodeError:
-        raise MapError("unreadable: not text in UTF-8") from None
+        raise MapError(Message("unreadable: not text in UTF-8")) from None
     except yaml.MarkedYAMLError as problem:
         line = Message(" in line {line}", line=problem.problem_mark.line + 1) if problem.problem_mark else ""
-        raise MapError(f"unreadable: not YAML: {problem.problem}{line}") from None
+        raise MapError(
+            Message("unreadable: not YAML: {problem}{line}", problem=problem.problem, line=line)
+        ) from None
     except yaml.YAMLError as problem:
         reason = "control characters" if isinstance(problem, ReaderError) else str(problem)
-        raise MapError(f"unreadable: not YAML: {reason}") from None
+        raise MapError(Message("unreadable: not YAML: {reason}", reason=reason)) from None
     except OSError as problem:
         raise MapError(_reason(problem)) from None
     except RecursionError:
-        raise MapError("unreadable: nested too deep") from None
+        raise MapError(Message("unreadable: nested too deep")) from None
     except (ValueError, LookupError, AttributeError, ArithmeticError) as problem:
-        raise MapError(f"unreadable: {' '.join(str(problem).split())}") from None
+        raise MapError(Message("unreadable: {split}", split=" ".join(str(problem).split()))) from None
     if not isinstance(table, dict) or not isinstance(table.get("image"), str):
-        raise MapError("not a map_server file: no image")
+        raise MapError(Message("not a map_server file: no image"))
     return table
 
 
-def _reason(problem: OSError) -> str:
+def _reason(problem: OSError) -> Message:
     if isinstance(problem, IsADirectoryError):
-        return "unreadable: a folder: name a file"
+        return Message("unreadable: a folder: name a file")
     return Message("unreadable: {strerror}", strerror=problem.strerror or problem)
 
 
@@ -127,9 +133,11 @@ def _reading(table: dict[str, Any]) -> OccupancyThresholds:
     usual = OccupancyThresholds()
     mode, negate = str(table.get("mode", usual.mode)).lower(), table.get("negate", 0)
     if mode not in MODES:
-        raise MapError(f"mode {mode[:20]!r} is not one of {', '.join(MODES)}")
+        raise MapError(
+            Message("mode {mode} is not one of {modes}", mode=f"{mode[:20]!r}", modes=", ".join(MODES))
+        )
     if not isinstance(negate, int):
-        raise MapError("negate must be 0 or 1")
+        raise MapError(Message("negate must be 0 or 1"))
     occupied = _number(table, "occupied_thresh", usual.occupied_above)
     return OccupancyThresholds(mode, bool(negate), occupied, _number(table, "free_thresh", usual.free_below))
 
@@ -140,9 +148,9 @@ def _classes(path: Path, reading: OccupancyThresholds) -> Classes:
         with open_file(path) as file:
             return classes_of(file, path.name, reading)
     except FileNotFoundError:
-        raise MapError(f"no image {path.name}") from None
+        raise MapError(Message("no image {name}", name=path.name)) from None
     except OSError as problem:
-        raise MapError(f"{path.name} {_reason(problem)}") from None
+        raise MapError(Message("{name} {reason}", name=path.name, reason=_reason(problem))) from None
 
 
 def classes_of(file: IO[bytes], name: str, reading: OccupancyThresholds) -> Classes:
@@ -153,14 +161,25 @@ def classes_of(file: IO[bytes], name: str, reading: OccupancyThresholds) -> Clas
             warnings.simplefilter("ignore", Image.DecompressionBombWarning)
             with Image.open(file, formats=FORMATS) as image:
                 if image.width * image.height > MAX_PIXELS:
-                    raise MapError(f"{image.width} x {image.height} px exceeds {MAX_PIXELS:,} px")
+                    raise MapError(
+                        Message(
+                            "{width} x {height} px exceeds {max_pixels} px",
+                            width=image.width,
+                            height=image.height,
+                            max_pixels=f"{MAX_PIXELS:,}",
+                        )
+                    )
                 return _classified(image, reading)
     except UnidentifiedImageError:
-        raise MapError(f"{name} is not a supported image: {', '.join(FORMATS)}") from None
+        raise MapError(
+            Message("{name} is not a supported image: {formats}", name=name, formats=", ".join(FORMATS))
+        ) from None
     except Image.DecompressionBombError:
-        raise MapError(f"{name} exceeds {MAX_PIXELS:,} px") from None
+        raise MapError(
+            Message("{name} exceeds {max_pixels} px", name=name, max_pixels=f"{MAX_PIXELS:,}")
+        ) from None
     except (ValueError, SyntaxError, MemoryError) as problem:
-        raise MapError(f"{name} unreadable: {problem}") from None
+        raise MapError(Message("{name} unreadable: {problem}", name=name, problem=problem)) from None
 
 
 def _classified(image: Image.Image, reading: OccupancyThresholds) -> Classes:

@@ -51,16 +51,25 @@ def _check(
 ) -> None:
     """Raise MapError for numbers that give no map."""
     if not all(abs(metres) <= FARTHEST for metres in at or ()):
-        raise MapError(f"the place of the first point must be within {FARTHEST:,.0f} m")
+        raise MapError(
+            Message("the place of the first point must be within {farthest} m", farthest=f"{FARTHEST:,.0f}")
+        )
     if not abs(heading or 0.0) <= 360.0:
-        raise MapError("the heading must be from -360 to 360 degrees")
+        raise MapError(Message("the heading must be from -360 to 360 degrees"))
     for column, row in points:
         if not (0.0 <= column <= frame.width and 0.0 <= row <= frame.height):
             size = f"{frame.width} x {frame.height} px"
-            raise MapError(f"point {column:g}, {row:g} is not in the picture of {size}")
+            raise MapError(
+                Message(
+                    "point {column}, {row} is not in the picture of {size}",
+                    column=f"{column:g}",
+                    row=f"{row:g}",
+                    size=size,
+                )
+            )
     pixels = math.dist(*points)
     if pixels < 1.0:
-        raise MapError("the two points must be at least a pixel apart")
+        raise MapError(Message("the two points must be at least a pixel apart"))
     if not FINEST <= distance / pixels <= COARSEST:
         least, most = FINEST * pixels, COARSEST * pixels
         limits = Message(
@@ -69,4 +78,10 @@ def _check(
             most=f"{most:g}",
             distance=f"{distance:g}",
         )
-        raise MapError(f"the distance of points {pixels:.0f} px apart must be {limits}")
+        raise MapError(
+            Message(
+                "the distance of points {pixels} px apart must be {limits}",
+                pixels=f"{pixels:.0f}",
+                limits=limits,
+            )
+        )

@@ -24,7 +24,7 @@ def text_of_png(data: str, limit: Limit) -> bytes:
                     "a message of {size} MB exceeds the limit of {megabytes} MB: raise {key}",
                     size=f"{size / 1000000.0:.1f}",
                     megabytes=f"{megabytes:g}",
-                    key=Message(key),
+                    key=key,
                 )
                 raise WireError(text)
             return image.convert("RGB").tobytes().rstrip(b"\n")

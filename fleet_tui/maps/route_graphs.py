@@ -19,7 +19,7 @@ from fleet_tui.model.graph import Edge, RouteGraph, Vertex
 from fleet_tui.model.graphs.document import DocumentFloor, GraphDocument
 from fleet_tui.model.graphs.ids import distinct
 from fleet_tui.model.graphs.live import role_of, route_graph
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import Message, verbatim
 from fleet_tui.text.limits import LONGEST_NAME, MOST_EDGES, MOST_VERTICES, too_many, truncate
 
 MAX_FILE = 40_000_000
@@ -66,7 +66,9 @@ def load_floor_graph(floor: str, path: Path) -> FloorGraphLoaded:
     try:
         return _read(floor, path)
     except GraphError as problem:
-        return FloorGraphLoaded(floor, None, {}, f"graph {path.name}: {problem}")
+        return FloorGraphLoaded(
+            floor, None, {}, Message("graph {name}: {problem}", name=path.name, problem=problem)
+        )
 
 
 def _read(floor: str, path: Path) -> FloorGraphLoaded:
@@ -79,35 +81,33 @@ def _read(floor: str, path: Path) -> FloorGraphLoaded:
         graph, labels, faults = read_site_graph(floor, text)
     else:
         graph, labels = _read_features(raw, faults)
-    problem = (
-        Message("graph {name}: {summary}", name=path.name, summary=Message(_summary(faults)))
-        if faults
-        else ""
-    )
+    problem = Message("graph {name}: {summary}", name=path.name, summary=_summary(faults)) if faults else ""
     return FloorGraphLoaded(floor, graph, labels, problem)
 
 
 def _read_features(raw: list[msgspec.Raw], faults: list[str]) -> tuple[RouteGraph, dict[str, str]]:
-    features = read_all(_feature, raw, "features", MOST_VERTICES + MOST_EDGES, faults)
+    features = read_all(_feature, raw, Message("features"), MOST_VERTICES + MOST_EDGES, faults)
     vertices, labels = _vertices((one for one in features if one.geometry.type == "Point"), faults)
     if not vertices:
         reason = f": {faults[0]}" if faults else ""
-        raise GraphError(f"has no vertices{reason}: expected features with an id and a Point")
+        raise GraphError(
+            Message("has no vertices{reason}: expected features with an id and a Point", reason=reason)
+        )
     return _graph(vertices, (one for one in features if one.geometry.type in LINES), faults), labels
 
 
-def _summary(faults: list[str]) -> str:
+def _summary(faults: list[str]) -> Message:
     more = Message(", {faults} more faults", faults=len(faults) - 1) if len(faults) > 1 else ""
-    return truncate(faults[0]) + more
+    return verbatim(truncate(faults[0])) + more
 
 
 def _text_of(path: Path) -> str:
     try:
         return read_text(path, MAX_FILE)
     except FileNotFoundError:
-        raise GraphError("no such file") from None
+        raise GraphError(Message("no such file")) from None
     except (OSError, ValueError) as problem:
-        raise GraphError(f"unreadable: {problem}") from None
+        raise GraphError(Message("unreadable: {problem}", problem=problem)) from None
 
 
 def _features(text: str) -> list[msgspec.Raw] | None:
@@ -119,9 +119,9 @@ def _features(text: str) -> list[msgspec.Raw] | None:
     except msgspec.ValidationError:
         return None
     except (msgspec.DecodeError, ValueError) as problem:
-        raise GraphError(f"not JSON: {in_line(str(problem), text)}") from None
+        raise GraphError(Message("not JSON: {in_line}", in_line=in_line(str(problem), text))) from None
     except RecursionError:
-        raise GraphError("nested too deep") from None
+        raise GraphError(Message("nested too deep")) from None
     return found.features if found.type == "FeatureCollection" else None
 
 
@@ -141,13 +141,13 @@ def _vertices(points: Iterable[_Feature], faults: list[str]) -> tuple[dict[str, 
     """Return vertices by id, and the labels of those that have one. Of two with one id the later is used."""
     vertices, labels, read = dict[str, Vertex](), dict[str, str](), list(points)
     if len(read) > MOST_VERTICES:
-        faults.append(too_many(len(read), MOST_VERTICES, "vertices"))
+        faults.append(too_many(len(read), MOST_VERTICES, Message("vertices")))
     for point in read[:MOST_VERTICES]:
         id_, metadata = str(point.properties.id), point.properties.metadata or _Metadata()
         try:
             x, y = _place(point.geometry.coordinates)
         except WireError as problem:
-            faults.append(f"vertex {id_}: {problem}: left out")
+            faults.append(Message("vertex {id}: {problem}: left out", id=id_, problem=problem))
             continue
         if id_ in vertices:
             faults.append(Message("vertex {id} duplicated: the last one is used", id=id_))
@@ -184,7 +184,7 @@ def _graph(vertices: Mapping[str, Vertex], lines: Iterable[_Feature], faults: li
     """
     ways, read = dict[tuple[str, str], Edge](), list(lines)
     if len(read) > MOST_EDGES:
-        faults.append(too_many(len(read), MOST_EDGES, "edges"))
+        faults.append(too_many(len(read), MOST_EDGES, Message("edges")))
     ids = distinct((str(line.properties.id) for line in read), vertices)
     for (id_, _), line in zip(ids, read[:MOST_EDGES], strict=False):
         ends = line.properties.startid, line.properties.endid
@@ -225,10 +225,10 @@ def read_site_graph(floor: str, text: str) -> tuple[RouteGraph, dict[str, str], 
         remedy = Message(
             "make a file of it: fleet-tui graph convert IN OUT {option} ...", option=missing.option
         )
-        raise GraphError(f"{missing}; {remedy}") from None
+        raise GraphError(Message("{missing}; {remedy}", missing=missing, remedy=remedy)) from None
     found, faults = _usable(_floor(document, floor))
     if not found.vertices:
-        raise GraphError("has no vertices")
+        raise GraphError(Message("has no vertices"))
     graph, labels = route_graph(found)
     shown = {id_: truncate(label.strip(), LONGEST_NAME) for id_, label in labels.items() if label.strip()}
     return graph, shown, faults
@@ -241,7 +241,7 @@ def _floor(document: GraphDocument, name: str) -> DocumentFloor:
     if len(document.floors) == 1:
         return next(iter(document.floors.values()))
     names = ", ".join(list(document.floors)[:5]) or "none"
-    raise GraphError(f"has the floors {names}: none is called {name}")
+    raise GraphError(Message("has the floors {names}: none is called {name}", names=names, name=name))
 
 
 def _usable(floor: DocumentFloor) -> tuple[DocumentFloor, list[str]]:

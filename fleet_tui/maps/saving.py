@@ -11,6 +11,7 @@ from fleet_tui.errors import MapError
 from fleet_tui.maps.images import load_floor_map
 from fleet_tui.model.grid import FREE, OCCUPIED, OccupancyGrid
 from fleet_tui.storage.whole_file import write_whole
+from fleet_tui.text.language import Message
 
 SHADES = {OCCUPIED: 0, FREE: 254}
 """Brightness of the classes; unknown ground is UNKNOWN_SHADE."""
@@ -40,32 +41,34 @@ def yaml_of(grid: OccupancyGrid, image: str) -> str:
     """Return the YAML of a map, at full precision. Raises MapError for a frame that it can't describe."""
     frame = grid.frame
     if frame.added:
-        raise MapError('the map lies as origin = "added" says: map_server has no word for that')
+        raise MapError(Message('the map lies as origin = "added" says: map_server has no word for that'))
     if not _PLAIN.fullmatch(image):
-        raise MapError(f"{image!r}: use letters, digits, _, - and . in the name of a map")
+        raise MapError(
+            Message("{image}: use letters, digits, _, - and . in the name of a map", image=f"{image!r}")
+        )
     numbers = frame.resolution, frame.origin.x, frame.origin.y, frame.origin.yaw
     if not all(map(math.isfinite, numbers)):
-        raise MapError("the place of the map is not finite")
+        raise MapError(Message("the place of the map is not finite"))
     # Without an exponent, which YAML reads as a text; the shortest digits that read back the same.
     resolution, x, y, yaw = (np.format_float_positional(number, trim="0") for number in numbers)
     head = f"image: {image}\nmode: trinary\nresolution: {resolution}\norigin: [{x}, {y}, {yaw}]\n"
     return head + THRESHOLDS
 
 
-def save_map(grid: OccupancyGrid, path: Path, report: Callable[[str], None] = lambda _step: None) -> Path:
+def save_map(grid: OccupancyGrid, path: Path, report: Callable[[Message], None] = lambda _step: None) -> Path:
     """Save a map and return its YAML. Existing files stay as `.bak`. `report` gets each step. Takes long: not
     for the loop. Raises MapError."""
     yaml, pgm = map_files(path)
     text = yaml_of(grid, pgm.name)
     for file, content in ((pgm, pgm_of(grid)), (yaml, text.encode())):
-        report(f"writing {file.name}")
+        report(Message("writing {name}", name=file.name))
         try:
             write_whole(file, content, keep=True, is_shared=True)
         except OSError as problem:
             # Its name is that of a temporary file.
             reason = problem.strerror or problem if file.parent.is_dir() else f"no folder {file.parent}"
-            raise MapError(f"{file} cannot be written: {reason}") from None
-    report(f"comparing {yaml.name}")
+            raise MapError(Message("{file} cannot be written: {reason}", file=file, reason=reason)) from None
+    report(Message("comparing {name}", name=yaml.name))
     _compare(grid, yaml)
     return yaml
 
@@ -73,6 +76,8 @@ def save_map(grid: OccupancyGrid, path: Path, report: Callable[[str], None] = la
 def _compare(grid: OccupancyGrid, yaml: Path) -> None:
     loaded = load_floor_map("", yaml, added=False)
     if loaded.grid is None:
-        raise MapError(f"{yaml}: read back: {loaded.problem}")
+        raise MapError(Message("{yaml}: read back: {problem}", yaml=yaml, problem=loaded.problem))
     if loaded.grid.frame != grid.frame or not np.array_equal(loaded.grid.levels[0], grid.levels[0]):
-        raise MapError(f"{yaml}: differs from the map when read back: the disk may be full or faulty")
+        raise MapError(
+            Message("{yaml}: differs from the map when read back: the disk may be full or faulty", yaml=yaml)
+        )

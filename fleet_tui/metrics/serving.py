@@ -6,6 +6,7 @@ from contextlib import contextmanager
 from prometheus_client import CollectorRegistry, start_http_server
 
 from fleet_tui.errors import FleetError
+from fleet_tui.text.language import Message
 
 
 @contextmanager
@@ -15,7 +16,15 @@ def served(registry: CollectorRegistry, host: str, port: int) -> Iterator[str]:
         server, thread = start_http_server(port, host, registry)
     except OSError as problem:
         remedy = ": choose another --port" if problem.strerror == "Address already in use" else ""
-        raise FleetError(f"{host}:{port}: {problem.strerror or problem}{remedy}") from None
+        raise FleetError(
+            Message(
+                "{host}:{port}: {strerror}{remedy}",
+                host=host,
+                port=port,
+                strerror=problem.strerror or problem,
+                remedy=remedy,
+            )
+        ) from None
     shown = f"[{host}]" if ":" in host else host
     try:
         yield f"http://{shown}:{server.server_port}/metrics"

@@ -11,6 +11,8 @@ from operator import is_
 from msgspec import Struct, field
 from msgspec.structs import replace
 
+from fleet_tui.text.language import EMPTY, Message
+
 Key = tuple[str, str]  # source and kind: the identity of an alarm
 
 
@@ -78,11 +80,11 @@ class Condition(Struct, frozen=True):
     source: str
     kind: str
     priority: Priority
-    text: str
-    over: str
+    text: Message
+    over: Message
     due: float = float("-inf")
     parts: frozenset[str] = frozenset()
-    remedy: str = ""
+    remedy: Message = EMPTY
 
     @property
     def key(self) -> Key:
@@ -107,7 +109,7 @@ class Alarm(Struct, frozen=True):
     count: int = 1
     holds: bool = True
     shelved_until: float = field(default=0.0, name="until")  # as recordings have it
-    first_text: str = ""
+    first_text: Message = EMPTY
     part_wall: float = 0.0
 
     @property
@@ -125,7 +127,7 @@ class Alarm(Struct, frozen=True):
         return self.stage in (AlarmStage.UNACKNOWLEDGED, AlarmStage.RETURNED)
 
     @property
-    def text(self) -> str:
+    def text(self) -> Message:
         """Return the current text: the text of the condition is shown only while it holds."""
         return self.condition.text if self.holds else self.condition.over
 

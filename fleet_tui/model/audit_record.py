@@ -2,6 +2,8 @@
 
 import msgspec
 
+from fleet_tui.text.language import Message
+
 VERSION = 2
 """Version of the fields below. It grows when one changes its meaning; a new field leaves it as it is. Before
 1, ids of vertices and orders were numbers; they are read as text."""
@@ -44,6 +46,6 @@ class PastAlarm(msgspec.Struct, frozen=True):
     """An alarm of this session that is over, with the local times of its begin and end."""
 
     kind: str
-    text: str
+    text: Message
     began: str
     ended: str

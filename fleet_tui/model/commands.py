@@ -10,7 +10,7 @@ from msgspec.structs import replace
 from fleet_tui.model.kind import Kind
 from fleet_tui.model.order import Order, Stop
 from fleet_tui.model.set_up.commands import SetUp, SetUpCommand, StartCharging
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, N_, Message
 
 
 class PlaceOrder(Struct, frozen=True, tag=True):
@@ -29,15 +29,15 @@ class PlaceOrder(Struct, frozen=True, tag=True):
 
     def what(self, kind: Kind) -> str:
         """Return the name of the command for a robot of this kind, in a word or two."""
-        return "bring cargo" if self.with_cargo and kind.brings_cargo else "order"
+        return N_("bring cargo") if self.with_cargo and kind.brings_cargo else N_("order")
 
-    def text(self, kind: Kind, route: str) -> str:
+    def text(self, kind: Kind, route: str) -> Message:
         """Return the name of the command with its stops; `route` is their text."""
         if self.to_any:
             return Message("order {route} (any robot)", route=route)
         if self.with_cargo and not kind.brings_cargo:
             return Message("go to {place}", place=route.removeprefix("-> "))
-        return f"{self.what(kind)} {route}"
+        return Message("{what} {route}", what=Message(self.what(kind)), route=route)
 
 
 class CancelOrder(Struct, frozen=True, tag=True):
@@ -92,32 +92,32 @@ def command_name(command: Command, kind: Kind) -> str:
 class Stage(Enum):
     """The stage of a command; the value is shown to the operator."""
 
-    CHECKED = "checked"
-    WAITING = "waiting here"
-    SENT = "sent"
-    ACCEPTED = "accepted"
-    NO_ANSWER = "no answer"
-    UNKNOWN = "outcome unknown"
-    REFUSED = "refused"
-    NOT_SENT = "not sent"
-    CONFIRMED = "confirmed"
-    NOT_CONFIRMED = "not confirmed"
-    UNVERIFIABLE = "accepted, but no topic shows it"
-    LATE = "carried out late"
-    DONE = "done"
-    CANCELLED = "cancelled"
-    CANCELLED_ELSEWHERE = "cancelled elsewhere"
-    LEFT = "left the queue"
-    LOST = "lost"
-    FAILED = "failed"
-    REPLACED = "replaced"
+    CHECKED = N_("checked")
+    WAITING = N_("waiting here")
+    SENT = N_("sent")
+    ACCEPTED = N_("accepted")
+    NO_ANSWER = N_("no answer")
+    UNKNOWN = N_("outcome unknown")
+    REFUSED = N_("refused")
+    NOT_SENT = N_("not sent")
+    CONFIRMED = N_("confirmed")
+    NOT_CONFIRMED = N_("not confirmed")
+    UNVERIFIABLE = N_("accepted, but no topic shows it")
+    LATE = N_("carried out late")
+    DONE = N_("done")
+    CANCELLED = N_("cancelled")
+    CANCELLED_ELSEWHERE = N_("cancelled elsewhere")
+    LEFT = N_("left the queue")
+    LOST = N_("lost")
+    FAILED = N_("failed")
+    REPLACED = N_("replaced")
 
 
 class Tally(Enum):
     """The column of a shift that counts an order; the value is the part of its name in a metric."""
 
     DONE = "done"
-    LOST = "lost or failed"
+    LOST = Message("lost or failed")
     LEFT = "left the queue"
     CANCELLED = "cancelled"
 
@@ -129,30 +129,39 @@ class OrderEnd(NamedTuple):
 
     tally: Tally
     over: str = ""
-    remedy: str = ""
+    remedy: Message = EMPTY
     is_inferred: bool = False
 
 
-CHECK_DELIVERY = "Check where the robot and its load are, correct its pose if it is wrong, order again"
+CHECK_DELIVERY = Message(
+    "Check where the robot and its load are, correct its pose if it is wrong, order again"
+)
 """The only remedy that advises to repeat the order: nothing else carries it out."""
 ORDER_ENDS: Mapping[Stage, OrderEnd] = {
     Stage.DONE: OrderEnd(Tally.DONE),
     Stage.CANCELLED: OrderEnd(Tally.CANCELLED),
     Stage.CANCELLED_ELSEWHERE: OrderEnd(
-        Tally.CANCELLED, "was cancelled elsewhere", "Ask who cancelled it, before anything else is ordered"
+        Tally.CANCELLED,
+        N_("was cancelled elsewhere"),
+        Message("Ask who cancelled it, before anything else is ordered"),
     ),
     Stage.LEFT: OrderEnd(
-        Tally.LEFT, "left the queue", "Ask who removed it, and look where the robot and its load are", True
+        Tally.LEFT,
+        N_("left the queue"),
+        Message("Ask who removed it, and look where the robot and its load are"),
+        True,
     ),
-    Stage.LOST: OrderEnd(Tally.LOST, "was lost", CHECK_DELIVERY, True),
-    Stage.FAILED: OrderEnd(Tally.LOST, "failed"),
+    Stage.LOST: OrderEnd(Tally.LOST, N_("was lost"), CHECK_DELIVERY, True),
+    Stage.FAILED: OrderEnd(Tally.LOST, N_("failed")),
     Stage.REPLACED: OrderEnd(
-        Tally.CANCELLED, "was replaced", "Ask who gave the newer order, before anything else is ordered"
+        Tally.CANCELLED,
+        N_("was replaced"),
+        Message("Ask who gave the newer order, before anything else is ordered"),
     ),
 }
 """Ends of an order that was in the queue: alarm, `w`, row, history, report and metrics read them here."""
 _REPORTED = frozenset(stage for stage, end in ORDER_ENDS.items() if not end.is_inferred)
-RESTARTED = "this console was restarted"
+RESTARTED = Message("this console was restarted")
 """Reason of an order that waits again: a later run of its console has taken it over."""
 NOT_LEFT = frozenset({Stage.CHECKED, Stage.WAITING, Stage.NOT_SENT})
 """Stages of a command that has not left this console."""
@@ -205,7 +214,7 @@ FAILURES = frozenset(
 """The stages that need a person."""
 
 
-UNANSWERED = "no reply expected"
+UNANSWERED = Message("no reply expected")
 """Reason of a command that was published: only telemetry can show its result."""
 
 
@@ -214,7 +223,7 @@ class Step(Struct, frozen=True):
 
     stage: Stage
     at: float
-    detail: str = field(default="", name="words")  # as recordings have it
+    detail: Message = field(default=EMPTY, name="words")  # as recordings have it
 
 
 class Baseline(Struct, frozen=True):
@@ -259,7 +268,15 @@ class CommandRecord(Struct, frozen=True):
         return self.steps[-1].stage
 
     @property
-    def detail(self) -> str:
+    def reason(self) -> Message:
+        """Return its detail without the name of its order."""
+        reason = self.detail.values.get("reason")
+        if isinstance(reason, Message):
+            return reason
+        return Message(self.detail.removeprefix(f"order {self.order_id}: "))
+
+    @property
+    def detail(self) -> Message:
         """Return the text of the current stage."""
         return self.steps[-1].detail
 

@@ -14,6 +14,7 @@ from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.navigation_events import GoalAnswered, Navigation, QueueChange
 from fleet_tui.model.order import OrderQueue
 from fleet_tui.model.vehicles.events import VehicleFact
+from fleet_tui.text.language import EMPTY, Message
 
 
 class PoseReported(Struct, frozen=True, tag=True):
@@ -57,7 +58,7 @@ class QueueReported(Struct, frozen=True, tag=True):
     robot: str
     at: float
     queue: OrderQueue
-    fault: str = ""
+    fault: Message = EMPTY
 
 
 class PausedReported(Struct, frozen=True, tag=True):
@@ -87,7 +88,7 @@ class GraphReceived(Struct, frozen=True, tag=True):
     floor: str
     graph: RouteGraph
     faults: int = 0
-    fault: str = ""
+    fault: Message = EMPTY
 
 
 class LabelsReceived(Struct, frozen=True, tag=True):
@@ -97,7 +98,7 @@ class LabelsReceived(Struct, frozen=True, tag=True):
     floor: str
     labels: Mapping[str, str]
     faults: int = 0
-    fault: str = ""
+    fault: Message = EMPTY
 
 
 class GridReceived(Struct, frozen=True, eq=False, tag=True):
@@ -116,7 +117,7 @@ class MessageRejected(Struct, frozen=True, tag=True):
     """A rejected message about a robot; `text` names the topic and the field."""
 
     robot: str
-    text: str
+    text: Message
 
 
 class FrameRejected(Struct, frozen=True, tag=True):
@@ -132,7 +133,7 @@ class FloorMapLoaded(Struct, frozen=True, eq=False, tag=True):
 
     floor: str
     grid: OccupancyGrid | None
-    problem: str = ""
+    problem: Message = EMPTY
     tied: bool = True
 
 
@@ -152,7 +153,7 @@ class LinkChanged(Struct, frozen=True, tag=True):
     link: str
     at: float
     phase: Phase
-    reason: str = ""
+    reason: Message = EMPTY
     next_try: float | None = None
 
 
@@ -168,7 +169,7 @@ class CommandPathChanged(Struct, frozen=True, tag=True):
 
     link: str
     path: CommandPath
-    reason: str = ""
+    reason: Message = EMPTY
     connected: bool = False
 
 
@@ -239,7 +240,7 @@ class CommandAdvanced(Struct, frozen=True, tag=True):
     id: int
     stage: Stage
     at: float
-    detail: str = field(default="", name="words")  # as recordings have it
+    detail: Message = field(default=EMPTY, name="words")  # as recordings have it
     name: str = ""
 
 

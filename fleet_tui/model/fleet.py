@@ -12,7 +12,7 @@ from fleet_tui.model.fleets.facility import Facility
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.link import LinkState, Phase
 from fleet_tui.model.robot import Reading, Robot
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.text.units import age, duration
 
 CONTACT = 3.0
@@ -54,8 +54,8 @@ class Floor(Struct, frozen=True, eq=False):
     frame_id: str
     grid: OccupancyGrid | None = None
     tied: bool = True
-    problem: str = ""
-    graph_problem: str = ""
+    problem: Message = EMPTY
+    graph_problem: Message = EMPTY
     live: OccupancyGrid | None = None
     live_at: float | None = None
 
@@ -163,10 +163,10 @@ def with_robot(state: FleetState, robot: Robot) -> FleetState:
     return replace(state, robots={**state.robots, robot.name: robot})
 
 
-def returned_text(state: FleetState, link: LinkState) -> str:
+def returned_text(state: FleetState, link: LinkState) -> Message:
     """Return for how long a link that is up again was lost, empty if nobody saw that."""
     if link.outage <= state.limits.link_after:
-        return ""
+        return EMPTY
     name = f"{link.name} " if len(state.links) > 1 else ""
     return Message("{name}link restored after {age}", name=name, age=age(link.outage))
 
@@ -181,10 +181,10 @@ def is_missing(state: FleetState, robot: Robot, value: str) -> bool:
     return getattr(robot, value) is None and robot.kind.expects(value) and not has_begun
 
 
-def missing_text(state: FleetState, robot: Robot, value: str) -> str:
+def missing_text(state: FleetState, robot: Robot, value: str) -> Message:
     """Return the text of a value that was not received: `-` if none has to be."""
     if not robot.kind.expects(value):
-        return "-"
+        return Message("-")
     return (
         Message("{value} missing", value=Message(value))
         if is_missing(state, robot, value)
@@ -192,7 +192,7 @@ def missing_text(state: FleetState, robot: Robot, value: str) -> str:
     )
 
 
-def obstacle_text(state: FleetState, robot: Robot, contact: Reading[float]) -> str:
+def obstacle_text(state: FleetState, robot: Robot, contact: Reading[float]) -> Message:
     """Return `obstacle 4.2 s` while the contact lasts; afterwards in the past tense."""
     if state.is_old(robot, "obstacle"):
         return Message(
@@ -203,6 +203,6 @@ def obstacle_text(state: FleetState, robot: Robot, contact: Reading[float]) -> s
     return Message("obstacle {duration}", duration=duration(contact.value))
 
 
-def behind_text(state: FleetState) -> str:
+def behind_text(state: FleetState) -> Message:
     """Return the text of this console's delay."""
     return Message("this console is {duration} behind", duration=duration(state.behind))

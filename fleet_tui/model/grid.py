@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING, Final
 
 from fleet_tui.errors import MapError
 from fleet_tui.model.geometry import MapFrame
+from fleet_tui.text.language import Message
 
 if TYPE_CHECKING:
     import numpy as np
@@ -42,8 +43,23 @@ def class_at(grid: OccupancyGrid, x: float, y: float) -> int:
 def check_frame(frame: MapFrame) -> None:
     """Raise MapError for a size or resolution that no map can have."""
     if not frame.resolution > 0.0:
-        raise MapError(f"map resolution {frame.resolution} m/px: must be above 0")
+        raise MapError(
+            Message("map resolution {resolution} m/px: must be above 0", resolution=frame.resolution)
+        )
     if frame.width < 1 or frame.height < 1:
-        raise MapError(f"map size {frame.width} x {frame.height} px: both must be at least 1")
+        raise MapError(
+            Message(
+                "map size {width} x {height} px: both must be at least 1",
+                width=frame.width,
+                height=frame.height,
+            )
+        )
     if frame.width * frame.height > MAX_PIXELS:
-        raise MapError(f"map of {frame.width} x {frame.height} px exceeds {MAX_PIXELS:,} px")
+        raise MapError(
+            Message(
+                "map of {width} x {height} px exceeds {max_pixels} px",
+                width=frame.width,
+                height=frame.height,
+                max_pixels=f"{MAX_PIXELS:,}",
+            )
+        )

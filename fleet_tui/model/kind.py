@@ -5,7 +5,7 @@ from math import inf
 
 from msgspec import Struct, field
 
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import Message, verbatim
 
 ORDER = "order"
 ORDER_TO = "order to"
@@ -37,29 +37,29 @@ FRAMES = "frames"
 """The fixed frames of a robot, a stream that is read to place its scans."""
 
 _NOUNS = {
-    ORDER: "order with a start",
-    ORDER_TO: "order without a start",
-    ORDER_ANY: "orders to any robot",
-    POSE: "setting of the pose",
-    LOCALISE: "global localisation",
-    SETTLE: "refinement of the pose",
-    GOAL: "goals beside orders",
-    GOAL_CANCEL: "cancellation of goals",
-    CHARGE: "start of a charge",
-    MAPPING: "switch of the mapping mode",
-    MAP_SAVE: "saving of maps on the robot",
-    POSE_GRAPH_SAVE: "saving of pose graphs on the robot",
-    GRAPH: "sending of graphs",
-    DRIVE: "driving by hand",
-    SCAN: "laser scan",
-    PATH: "planned path",
-    CAMERA: "camera",
+    ORDER: Message("order with a start"),
+    ORDER_TO: Message("order without a start"),
+    ORDER_ANY: Message("orders to any robot"),
+    POSE: Message("setting of the pose"),
+    LOCALISE: Message("global localisation"),
+    SETTLE: Message("refinement of the pose"),
+    GOAL: Message("goals beside orders"),
+    GOAL_CANCEL: Message("cancellation of goals"),
+    CHARGE: Message("start of a charge"),
+    MAPPING: Message("switch of the mapping mode"),
+    MAP_SAVE: Message("saving of maps on the robot"),
+    POSE_GRAPH_SAVE: Message("saving of pose graphs on the robot"),
+    GRAPH: Message("sending of graphs"),
+    DRIVE: Message("driving by hand"),
+    SCAN: Message("laser scan"),
+    PATH: Message("planned path"),
+    CAMERA: Message("camera"),
 }
 
 
-def noun_of(ability: str) -> str:
+def noun_of(ability: str) -> Message:
     """Return the name of an ability in a sentence."""
-    return _NOUNS.get(ability, ability)
+    return _NOUNS.get(ability) or verbatim(ability)
 
 
 class Kind(Struct, frozen=True):
@@ -109,18 +109,20 @@ class Kind(Struct, frozen=True):
         orders = verb == ORDER or (verb == GOAL and self.keeps_goals)
         return verb in self.accepts or (orders and ORDER_TO in self.accepts)
 
-    def lack(self, asked: str) -> str:
+    def lack(self, asked: str) -> Message:
         """Return the text for a request that it does not accept."""
         if asked in self.withheld:
-            return f"{self.withheld[asked]}: no {'orders' if asked in (ORDER, ORDER_TO) else noun_of(asked)}"
-        if asked in self.unset:
             return Message(
-                "{unset} is empty: no {noun_of}", unset=self.unset[asked], noun_of=Message(noun_of(asked))
+                "{withheld}: no {value}",
+                withheld=self.withheld[asked],
+                value=Message("orders") if asked in (ORDER, ORDER_TO) else noun_of(asked),
             )
+        if asked in self.unset:
+            return Message("{unset} is empty: no {noun_of}", unset=self.unset[asked], noun_of=noun_of(asked))
         noun = noun_of(asked)
         if asked in (ORDER, ORDER_TO) and not self.can(ORDER):
-            noun = "orders"
-        return Message("this kind has no {noun}", noun=Message(noun))
+            noun = Message("orders")
+        return Message("this kind has no {noun}", noun=noun)
 
     @property
     def brings_cargo(self) -> bool:

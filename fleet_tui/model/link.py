@@ -5,7 +5,7 @@ from enum import Enum
 
 from msgspec import Struct, field
 
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message
 
 
 class Phase(Enum):
@@ -29,17 +29,17 @@ class CommandPath(Enum):
 NO_WAY = frozenset({CommandPath.UNREGISTERED, CommandPath.DEAD})
 """States in which commands don't reach all robots."""
 
-HALF_DEAD = "rosbridge is half dead: restart it"
+HALF_DEAD = Message("rosbridge is half dead: restart it")
 """Why there is no command path if only the bridge itself answers: no topic, and no node by way of it."""
 SERVICES_GLOB = "services_glob"
 ACTIONS_GLOB = "actions_glob"
 """Allow-lists of rosbridge, of the services and of the actions that its clients may call."""
-NOT_ADMITTED = "the bridge does not allow the heartbeat /rosapi/get_time (services_glob)"
-NO_REPLY = "no reply from the bridge to calls"
-UNPROVEN = "not tried yet: no node answers"
+NOT_ADMITTED = Message("the bridge does not allow the heartbeat /rosapi/get_time (services_glob)")
+NO_REPLY = Message("no reply from the bridge to calls")
+UNPROVEN = Message("not tried yet: no node answers")
 """Neither rosapi nor the bridge's own node, as after a restart of the ROS master, or at a site without rosapi
 whose bridge has another name: a command shows it."""
-UNASKED = "not tried yet: rosapi does not answer"
+UNASKED = Message("not tried yet: rosapi does not answer")
 """No other node may be asked by a console that is read-only."""
 OF_BAG = "rosbag://"
 """Prefix of the address of a recorded file, instead of a bridge."""
@@ -64,11 +64,11 @@ class LinkState(Struct, frozen=True):
     url: str
     phase: Phase = Phase.CONNECTING
     since: float = 0.0
-    reason: str = ""
+    reason: Message = EMPTY
     next_try: float | None = None
     last_received: float | None = field(default=None, name="heard")  # as recordings have it
     command_path: CommandPath = CommandPath.UNTRIED
-    command_reason: str = ""
+    command_reason: Message = EMPTY
     commands_connected: bool = False
     was_up: bool = False
     outage: float = 0.0
@@ -106,12 +106,12 @@ class LinkState(Struct, frozen=True):
         is_barred = any(robot in robots for robots in self.not_allowed.values())
         return self.is_half_dead or robot in self.dropped or is_barred
 
-    def refusal_of(self, name: str) -> str:
+    def refusal_of(self, name: str) -> Message:
         """Return that the bridge drops calls of a service, or goals of an action; empty if none is known."""
         return (
             Message("the bridge does not allow it ({barred})", barred=self.barred[name])
             if name in self.barred
-            else ""
+            else EMPTY
         )
 
     @property

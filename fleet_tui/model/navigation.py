@@ -101,7 +101,7 @@ class Blocked(Struct, frozen=True):
         return self.action == "stop"
 
 
-def blocked_text(blocked: Blocked, now: float) -> str:
+def blocked_text(blocked: Blocked, now: float) -> Message:
     """Return the text of a robot held back, with the seconds since this console's first message of it."""
     if blocked.is_stopped:
         return Message("blocked {duration} (seen)", duration=duration(now - blocked.since))

@@ -7,6 +7,7 @@ from fleet_tui.model.commands import Stage
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.navigation import Goal, Progress, Servers
 from fleet_tui.model.set_up.driving import Speeds
+from fleet_tui.text.language import EMPTY, Message
 
 
 class OdometryReported(Struct, frozen=True, tag=True):
@@ -69,7 +70,7 @@ class GoalsReported(Struct, frozen=True, tag=True):
     at: float
     action: str
     goals: tuple[Goal, ...]
-    fault: str = ""
+    fault: Message = EMPTY
 
 
 class GoalsUnknown(Struct, frozen=True, tag=True):
@@ -169,7 +170,7 @@ class QueueHeld(Struct, frozen=True, tag=True):
     """The orders that this console keeps for a robot are held until the operator releases them."""
 
     robot: str
-    reason: str
+    reason: Message
 
 
 class OrderMoved(Struct, frozen=True, tag=True):

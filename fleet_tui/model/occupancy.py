@@ -13,6 +13,7 @@ from fleet_tui.model.grid import FREE as FREE
 from fleet_tui.model.grid import OCCUPIED as OCCUPIED
 from fleet_tui.model.grid import UNKNOWN as UNKNOWN
 from fleet_tui.model.grid import OccupancyGrid, check_frame
+from fleet_tui.text.language import Message
 
 Classes = NDArray[np.uint8]
 
@@ -53,8 +54,13 @@ def grid_from_ros(frame: MapFrame, data: bytes) -> OccupancyGrid:
     check_frame(frame)
     if len(data) != frame.width * frame.height:
         raise MapError(
-            f"map of {frame.width} x {frame.height} px has {len(data):,} cells"
-            f" instead of {frame.width * frame.height:,}"
+            Message(
+                "map of {width} x {height} px has {data} cells instead of {width2}",
+                width=frame.width,
+                height=frame.height,
+                data=f"{len(data):,}",
+                width2=f"{frame.width * frame.height:,}",
+            )
         )
     cells = np.frombuffer(data, dtype=np.uint8).reshape(frame.height, frame.width)
     return build_grid(frame, CLASS_OF_CELL[cells[::-1]])

@@ -8,6 +8,7 @@ from functools import lru_cache
 from msgspec import Struct
 
 from fleet_tui.model.geometry import Pose
+from fleet_tui.text.language import N_, Message, joined, verbatim
 
 _DIGITS = re.compile(r"([0-9]+)")
 
@@ -19,15 +20,15 @@ DOCKING = "docking"
 class OrderState(Enum):
     """The state of an order; the value is shown to the operator."""
 
-    QUEUED = "queued"
-    IN_PROCESS = "in process"
-    PAUSED = "paused"
-    DONE = "done"
-    CANCELLED = "cancelled"
-    LOST = "lost"
-    FAILED = "failed"
-    REPLACED = "replaced"
-    REFUSED = "refused"
+    QUEUED = N_("queued")
+    IN_PROCESS = N_("in process")
+    PAUSED = N_("paused")
+    DONE = N_("done")
+    CANCELLED = N_("cancelled")
+    LOST = N_("lost")
+    FAILED = N_("failed")
+    REPLACED = N_("replaced")
+    REFUSED = N_("refused")
 
 
 BEGUN = frozenset({OrderState.IN_PROCESS, OrderState.PAUSED})
@@ -65,13 +66,13 @@ def vertices_of(stops: tuple[Stop, ...]) -> tuple[str, ...]:
     return tuple(stop.vertex for stop in stops if stop.pose is None)
 
 
-def route_text(stops: tuple[Stop, ...], name: Callable[[str], str]) -> str:
+def route_text(stops: tuple[Stop, ...], name: Callable[[str], str]) -> Message:
     """Return stops as `A -> B`, a single one as `-> B`, none as `to a point`; `name` returns that
     of a vertex id."""
     names = [name(stop.vertex) if stop.pose is None else pose_text(stop.pose) for stop in stops]
     if not names:
-        return "to a point"
-    return " -> ".join(names) if len(names) > 1 else f"-> {names[0]}"
+        return Message("to a point")
+    return joined(" -> ", names) if len(names) > 1 else Message("-> {names}", names=names[0])
 
 
 def pose_text(pose: Pose) -> str:
@@ -114,9 +115,9 @@ class Order(Struct, frozen=True):
         return self.stops[-1] if self.stops else None
 
     @property
-    def state_text(self) -> str:
+    def state_text(self) -> Message:
         """Return its state in this console's words, else in the robot's own."""
-        return self.state.value if self.state else self.word
+        return Message(self.state.value) if self.state else verbatim(self.word)
 
 
 class OrderQueue(Struct, frozen=True):

@@ -13,7 +13,7 @@ from msgspec.structs import replace
 
 from fleet_tui.model.commands import ORDER_ENDS, Stage
 from fleet_tui.model.order import BEGUN, Order, OrderQueue, OrderState
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import Message, verbatim
 from fleet_tui.text.units import age
 
 ARRIVES = 2.0
@@ -26,8 +26,8 @@ another cause: many orders begin where they end, and fetch from elsewhere."""
 BLIND_AFTER = 5.0
 """Seconds without a queue after which an order may have been driven unseen."""
 
-NOT_LISTED = "no longer listed, end not reported: may have been completed"
-STARTED_OVER = "the robot restarted: its order ids started over"
+NOT_LISTED = Message("no longer listed, end not reported: may have been completed")
+STARTED_OVER = Message("the robot restarted: its order ids started over")
 
 Away = Callable[[Order], tuple[float, float] | None]
 """Metres from the robot to an order's last stop, infinite on another floor, and the monotonic second of that
@@ -62,7 +62,7 @@ class GoneOrder(Struct, frozen=True):
     order: Order
     at: float
     stage: Stage
-    reason: str
+    reason: Message
     is_reported: bool = False
     listed_at: float | None = None
 
@@ -154,30 +154,32 @@ def _end_of(
     return GoneOrder(trace.order, at, stage, reason)
 
 
-def _unlisted_end(trace: OrderTrace, last_listed: float | None, at: float, away: Away) -> tuple[Stage, str]:
+def _unlisted_end(
+    trace: OrderTrace, last_listed: float | None, at: float, away: Away
+) -> tuple[Stage, Message]:
     if trace.was_driven(last_listed):
-        return Stage.DONE, "driven to the end"
+        return Stage.DONE, Message("driven to the end")
     if last_listed is not None and at - last_listed > BLIND_AFTER:
         blind = Message("left the queue while no queue was received for {age}", age=age(at - last_listed))
         return Stage.LOST, Message("{blind}: may have been completed", blind=blind)
     if not trace.begun:
-        return Stage.LEFT, "not by this console, before it started"
+        return Stage.LEFT, Message("not by this console, before it started")
     seen = away(trace.order)
     if seen is None:
-        return Stage.DONE, "left the queue after it started"
+        return Stage.DONE, Message("left the queue after it started")
     metres, seen_at = seen
     if at - seen_at > BLIND_AFTER:
         blind = Message("left the queue while no pose was received for {age}", age=age(at - seen_at))
         return Stage.LOST, Message("{blind}: may have been completed", blind=blind)
     where = (
-        "on another floor"
+        Message("on another floor")
         if metres == math.inf
         else Message("{metres} m from its end", metres=f"{metres:.0f}")
     )
-    return Stage.LEFT, Message("not by this console, with the robot {where}", where=Message(where))
+    return Stage.LEFT, Message("not by this console, with the robot {where}", where=where)
 
 
-UNSAID = "as reported by the robot"
+UNSAID = Message("as reported by the robot")
 """The reason of an end of which the robot said no more."""
 
 _ENDS = {
@@ -193,7 +195,7 @@ _ENDS = {
 def listed_end(order: Order, at: float) -> GoneOrder:
     """Return the end of an order that the robot lists as over."""
     assert order.state is not None
-    return GoneOrder(order, at, _ENDS[order.state], order.said or UNSAID, is_reported=True)
+    return GoneOrder(order, at, _ENDS[order.state], verbatim(order.said) or UNSAID, is_reported=True)
 
 
 def corrected(gone: tuple[GoneOrder, ...], queue: OrderQueue, reports_ends: bool) -> tuple[GoneOrder, ...]:

@@ -4,13 +4,15 @@ from enum import IntEnum
 
 from msgspec import Struct
 
+from fleet_tui.text.language import EMPTY, Message
+
 
 class Problem(Struct, frozen=True):
     """`check` is the name of the check. `blocks`: an error, the command is never sent; else a warning, which
     a person may override."""
 
     check: str
-    text: str
+    text: Message
     blocks: bool = True
 
 
@@ -35,8 +37,10 @@ class Permissions(Struct, frozen=True):
     right: Right = Right.SETUP
     why: str = ""
 
-    def refusal(self, needed: Right) -> str:
+    def refusal(self, needed: Right) -> Message:
         """Return the reason that the user may not do what needs a right, empty if they may."""
         if self.right >= needed:
-            return ""
-        return f"not allowed: {needed.word}" + (f" ({self.why})" if self.why else "")
+            return EMPTY
+        if self.why:
+            return Message("not allowed: {right} ({why})", right=needed.word, why=Message(self.why))
+        return Message("not allowed: {right}", right=needed.word)

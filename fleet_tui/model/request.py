@@ -8,6 +8,7 @@ from msgspec import Struct
 from fleet_tui.model.commands import Command, PauseRobot, PlaceOrder
 from fleet_tui.model.kind import Kind
 from fleet_tui.model.order import at_vertices
+from fleet_tui.text.language import EMPTY, Message
 
 
 class Request(Struct, frozen=True):
@@ -18,7 +19,7 @@ class Request(Struct, frozen=True):
     commands: tuple[Command, ...]
     floors: tuple[tuple[str, str], ...] = ()
     alone: bool = False
-    doubt: str = ""
+    doubt: Message = EMPTY
 
     @property
     def only_pauses(self) -> bool:

@@ -16,7 +16,7 @@ from fleet_tui.model.navigation import STOPS_WITHIN, Blocked, Goal, Progress, Re
 from fleet_tui.model.order import Order, OrderQueue, route_text
 from fleet_tui.model.order_life import GoneOrder, OrderTrace
 from fleet_tui.model.vehicles.vehicle import CurrentAction, Vehicle, VehicleConnection, VehicleFeatures
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.text.limits import truncate
 
 T = TypeVar("T")
@@ -32,7 +32,7 @@ class Reading(Struct, Generic[T], frozen=True):
 class Logged(Struct, frozen=True):
     """A line of a robot's log that may tell why it does not drive, of a monotonic second."""
 
-    text: str
+    text: Message
     at: float
     is_warning: bool = False
 
@@ -137,7 +137,7 @@ class Robot(Struct, frozen=True, eq=False):
     blocked: Reading[Blocked] | None = None
     progress: Reading[Progress] | None = None
     own_floor: str = ""
-    held: str = ""
+    held: Message = EMPTY
     released_at: float = -math.inf
     accepted: tuple[str, ...] = ()
     named: str = ""
@@ -157,7 +157,7 @@ class Robot(Struct, frozen=True, eq=False):
     last_received: float | None = field(default=None, name="heard")  # as recordings have it
     clock: StampClock | None = None
     faults: int = 0
-    last_fault: str = ""
+    last_fault: Message = EMPTY
     fault_at: float | None = None
     kept_at: float | None = None
     size: tuple[float, float] | None = None
@@ -220,7 +220,7 @@ class Robot(Struct, frozen=True, eq=False):
         names = (robot_map.name_of(vertex) for robot_map in self.maps.values())
         return next((name for name in names if name is not None), None)
 
-    def order_text(self, order: Order) -> str:
+    def order_text(self, order: Order) -> Message:
         """Return an order by its stops, by its id if they are unknown."""
         stops = route_text(order.stops, lambda id_: self.name_of(id_) or id_) if order.stops else ""
         return Message("order {label}", label=order.label or stops or order.id)
@@ -230,6 +230,6 @@ class Robot(Struct, frozen=True, eq=False):
         return bool(self.maps) and all(robot_map.graph is not None for robot_map in self.maps.values())
 
 
-def with_fault(robot: Robot, text: str, count: int = 1) -> Robot:
+def with_fault(robot: Robot, text: Message, count: int = 1) -> Robot:
     """Return the robot with bad data counted and the newest kept."""
     return replace(robot, faults=robot.faults + count, last_fault=truncate(text))

@@ -24,9 +24,9 @@ from fleet_tui.programs.look import look
 from fleet_tui.programs.process import EndedProcess, run
 from fleet_tui.programs.reasons import SSH_FAILED, failure
 from fleet_tui.programs.session_state import stop_session
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import N_, Message
 
-START, STOP, RESTART = VERBS = ("start", "stop", "restart")
+START, STOP, RESTART = VERBS = (N_("start"), N_("stop"), N_("restart"))
 WITHIN = 30.0
 """Seconds until an outcome is not confirmed: a launch file takes half of that to stop."""
 STEADY = 1.0
@@ -105,7 +105,7 @@ async def _outcome(
         if verb == STOP and now.state in ENDED:
             return ChangeOutcome(CONFIRMED, now.detail if now.state is ProgramState.FAILED else "")
         if verb != STOP and now.state is ProgramState.FAILED and (is_new or before.state is not now.state):
-            return ChangeOutcome(FAILED, Message("{detail}: see its log", detail=Message(now.detail)))
+            return ChangeOutcome(FAILED, Message("{detail}: see its log", detail=now.detail))
         if now.state is not ProgramState.RUNNING or (verb == RESTART and now.instance and not is_new):
             steady = None
         elif steady is None or steady[0] != now.instance:

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from fleet_tui.programs.process import exit_code, not_started, running
 from fleet_tui.programs.session_state import exit_text
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message
 
 MOST_LINES = 2000
 LONGEST_LINE = 1000
@@ -23,7 +23,7 @@ class LogTail:
 
     def __init__(self) -> None:
         self.lines: deque[tuple[int, str]] = deque(maxlen=MOST_LINES)
-        self.note = ""
+        self.note = EMPTY
         self.has_ended_well = False
         self._count = 0
         self._rest = b""

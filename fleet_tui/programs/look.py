@@ -14,7 +14,7 @@ from fleet_tui.programs import arguments
 from fleet_tui.programs.process import EndedProcess, run
 from fleet_tui.programs.reasons import NOT_FOUND, SSH_FAILED, failure, has_no_systemd, last_line
 from fleet_tui.programs.session_state import session_status
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message, verbatim
 from fleet_tui.text.limits import truncate
 
 LOOK_WITHIN = 8.0
@@ -106,14 +106,18 @@ def unit_status(output: str, unit: str, at: float) -> ProgramStatus | None:
     )
 
 
-def _detail(state: ProgramState, found: Mapping[str, str]) -> str:
+def _detail(state: ProgramState, found: Mapping[str, str]) -> Message:
     if state is ProgramState.FAILED:
         result = found.get("Result", "")
-        return truncate(_RESULTS.get(result, result).replace("{status}", found.get("ExecMainStatus", "?")))
+        return verbatim(
+            truncate(_RESULTS.get(result, result).replace("{status}", found.get("ExecMainStatus", "?")))
+        )
     if found.get("LoadState") in ("masked", "bad-setting", "error"):
         return Message("its unit file is {found}", found=found["LoadState"])
     sub = found.get("SubState", "")
-    return truncate(sub) if sub in ("auto-restart", "exited", "start-pre", "stop-sigterm") else ""
+    return (
+        verbatim(truncate(sub)) if sub in ("auto-restart", "exited", "start-pre", "stop-sigterm") else EMPTY
+    )
 
 
 def _dependents(found: Mapping[str, str]) -> list[str]:

@@ -14,7 +14,7 @@ from fleet_tui.model.alarm import Alarm, AlarmStage, Key, class_of
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.programs.process import EndedProcess, run
 from fleet_tui.storage.write_queue import WriteQueue
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.text.sanitize import sanitize
 
 LOG = logging.getLogger(__name__)
@@ -38,7 +38,7 @@ class AlarmProgram:
         self,
         notify: Notify,
         folder: Path,
-        say: Callable[[str], None],
+        say: Callable[[Message], None],
         is_ours: Callable[[], bool] = lambda: True,
     ) -> None:
         self._command = list(notify.command)
@@ -50,7 +50,7 @@ class AlarmProgram:
         self._waiting = WriteQueue[str](MOST)
         self._started_at = float("-inf")
         self._running: threading.Thread | None = None
-        self._failed = self._said = ""
+        self._failed = self._said = EMPTY
 
     def look(self, state: FleetState) -> None:
         """Take new alarms, and start the program if it does not run and the last start was a while ago."""
@@ -114,13 +114,13 @@ def line_of(alarm: Alarm, state: FleetState) -> str:
     )
 
 
-def _failure(program: str, ended: EndedProcess) -> str:
+def _failure(program: str, ended: EndedProcess) -> Message:
     """Return the failure of a run as the operator reads it, empty if it went well."""
     if ended.code is None:
         return (
-            Message("notify: {problem}", problem=Message(ended.problem))
+            Message("notify: {problem}", problem=ended.problem)
             if program in ended.problem
-            else Message("notify: {program}: {problem}", program=program, problem=Message(ended.problem))
+            else Message("notify: {program}: {problem}", program=program, problem=ended.problem)
         )
     return (
         Message(
@@ -129,5 +129,5 @@ def _failure(program: str, ended: EndedProcess) -> str:
             code=ended.code,
         )
         if ended.code
-        else ""
+        else EMPTY
     )

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from msgspec import Struct
 
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message
 
 LARGEST = 256 * 1024
 """Bytes of output after which a process that should be brief is ended."""
@@ -24,7 +24,7 @@ class EndedProcess(Struct, frozen=True):
 
     code: int | None
     output: str = ""
-    problem: str = ""
+    problem: Message = EMPTY
     is_late: bool = False
 
 
@@ -113,7 +113,7 @@ async def exit_code(process: Process) -> int:
         waiting.cancel()
 
 
-def not_started(program: str, problem: Exception) -> str:
+def not_started(program: str, problem: Exception) -> Message:
     """Return the reason that a process could not be started, with its remedy."""
     if isinstance(problem, FileNotFoundError):
         return Message(
@@ -121,7 +121,9 @@ def not_started(program: str, problem: Exception) -> str:
         )
     if isinstance(problem, PermissionError):
         return Message("{program}: not executable by this user: check its mode and owner", program=program)
-    return f"{program}: {getattr(problem, 'strerror', None) or problem}"
+    return Message(
+        "{program}: {getattr}", program=program, getattr=getattr(problem, "strerror", None) or problem
+    )
 
 
 async def _give(process: Process, given: str) -> None:

@@ -36,7 +36,7 @@ def start(folder: Path, name: str, command: Sequence[str]) -> str:
     """Start a command, and return the reason if that failed."""
     file = open_private(folder / f"{name}{FILE_SUFFIX}", os.O_RDWR | os.O_CREAT)
     if not lock(file, LOCK_WITHIN):
-        return "is already running"
+        return Message("is already running")
     reader, writer = os.pipe()
     if os.fork():
         os.close(writer)

@@ -10,7 +10,7 @@ from fleet_tui.model.programs.program import ProgramState, ProgramStatus
 from fleet_tui.programs.session import FILE_SUFFIX, RECORD
 from fleet_tui.storage.handles import open_private
 from fleet_tui.storage.lock import is_locked
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message
 
 
 class SessionRecord(msgspec.Struct, frozen=True):
@@ -32,13 +32,13 @@ def session_status(folder: Path, name: str, at: float) -> ProgramStatus:
     if record is None or record.stopped or record.code == 0:
         since = record.since if record else None
         return ProgramStatus(ProgramState.STOPPED, at, since, has_systemd=False)
-    detail = "killed with its session" if record.code is None else exit_text(record.code)
+    detail = Message("killed with its session") if record.code is None else exit_text(record.code)
     return ProgramStatus(
         ProgramState.FAILED, at, record.since, None, record.instance, detail=detail, has_systemd=False
     )
 
 
-def exit_text(code: int) -> str:
+def exit_text(code: int) -> Message:
     """Return an exit code in words; a negative one is a signal."""
     return (
         Message("killed by signal {code}", code=-code)
@@ -47,16 +47,16 @@ def exit_text(code: int) -> str:
     )
 
 
-def stop_session(folder: Path, name: str) -> str:
+def stop_session(folder: Path, name: str) -> Message:
     """Ask a session to stop its command. Returns the reason if that failed."""
     record, is_running = _read(folder, name)
     if not is_running or record is None:
-        return "is not running"
+        return Message("is not running")
     try:
         os.kill(record.pid, signal.SIGTERM)
     except OSError as problem:
         return Message("can't be stopped: {strerror}", strerror=problem.strerror)
-    return ""
+    return EMPTY
 
 
 def _read(folder: Path, name: str) -> tuple[SessionRecord | None, bool]:

@@ -11,6 +11,7 @@ from msgspec.structs import replace
 from fleet_tui.config.programs import ProgramEntry
 from fleet_tui.model.programs.program import ProgramRow, ProgramState, ProgramStatus
 from fleet_tui.programs.look import look
+from fleet_tui.text.language import Message
 
 LOG = logging.getLogger(__name__)
 EVERY = 2.0
@@ -44,7 +45,7 @@ class ProgramWatch:
             task.cancel()
         self._tasks = []
 
-    def set_pending(self, name: str, verb: str) -> None:
+    def set_pending(self, name: str, verb: Message) -> None:
         """Note the change that is under way, none if it has ended."""
         self.rows[name] = replace(self.rows[name], pending=verb)
 
@@ -64,7 +65,7 @@ class ProgramWatch:
                     await self.look(program.name)
                 except Exception as problem:
                     LOG.exception("program %s", program.name)
-                    fault = f"internal error: {problem} (details in the log file)"
+                    fault = Message("internal error: {problem} (details in the log file)", problem=problem)
                     self.put(
                         program.name, ProgramStatus(ProgramState.UNKNOWN, time.monotonic(), detail=fault)
                     )

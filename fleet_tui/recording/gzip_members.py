@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import BinaryIO
 
 from fleet_tui.recording.records import RecordingError
+from fleet_tui.text.language import Message
 
 READ = 2**16
 UNPACKED = 2**20
@@ -23,12 +24,14 @@ def open_plain(path: Path) -> BinaryIO:
         fd = os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC)
     except FileNotFoundError:
         made = "record one with `fleet-tui record FILE`"
-        raise RecordingError(f"{path}: no such file: {made}") from None
+        raise RecordingError(Message("{path}: no such file: {made}", path=path, made=made)) from None
     except (OSError, ValueError) as problem:
-        raise RecordingError(f"{path}: unreadable: {getattr(problem, 'strerror', problem)}") from None
+        raise RecordingError(
+            Message("{path}: unreadable: {getattr}", path=path, getattr=getattr(problem, "strerror", problem))
+        ) from None
     if not stat.S_ISREG(os.fstat(fd).st_mode):
         os.close(fd)
-        raise RecordingError(f"{path}: not a file")
+        raise RecordingError(Message("{path}: not a file", path=path))
     return os.fdopen(fd, "rb")
 
 
@@ -56,7 +59,12 @@ class Lines:
                 pieces.append(rest)
                 length += len(rest)
                 if length > LONGEST_LINE:
-                    raise RecordingError(f"line longer than {LONGEST_LINE:,} bytes: not a recording")
+                    raise RecordingError(
+                        Message(
+                            "line longer than {longest_line} bytes: not a recording",
+                            longest_line=f"{LONGEST_LINE:,}",
+                        )
+                    )
         if pieces and not self.note:
             self.note = "last record incomplete"
 
@@ -81,4 +89,4 @@ class Lines:
         except zlib.error:
             self.note = f"damaged: unreadable data after byte {offset:,} left out"
         except OSError as problem:
-            raise RecordingError(f"unreadable: {problem.strerror}") from None
+            raise RecordingError(Message("unreadable: {strerror}", strerror=problem.strerror)) from None

@@ -12,6 +12,7 @@ from fleet_tui.recording.gzip_members import Lines, open_plain
 from fleet_tui.recording.part_files import parts_beside
 from fleet_tui.recording.recording import LAST_SECOND, Instant, KeyframeLocation, Recording
 from fleet_tui.recording.records import VERSION, Keyframe, Lost, Mark, RecordingError, RecordingHeader, decode
+from fleet_tui.text.language import Message
 
 MOST_MARKS = 100_000
 """Maximum marks, and losses, in memory."""
@@ -38,7 +39,7 @@ def _stamp(line: bytes) -> _Stamp:
     try:
         return _STAMPS.decode(line)
     except (msgspec.MsgspecError, ValueError, RecursionError):
-        raise RecordingError("line is not a record") from None
+        raise RecordingError(Message("line is not a record")) from None
 
 
 def open_recording(path: Path, progress: Callable[[float], None] = lambda _share: None) -> Recording:
@@ -53,7 +54,9 @@ def open_recording(path: Path, progress: Callable[[float], None] = lambda _share
             progress(min(1.0, (done + read) / total))
         done += size
     if not recording.keyframes:
-        raise RecordingError(f"{path}: nothing to play: {recording.note or 'just started'}")
+        raise RecordingError(
+            Message("{path}: nothing to play: {note}", path=path, note=recording.note or "just started")
+        )
     return recording
 
 
@@ -85,19 +88,25 @@ def _header(path: Path) -> tuple[RecordingHeader, int]:
             stamp = _stamp(line) if line else None
             if stamp is None or stamp.kind != "header":
                 why = lines.note or "wrong header"
-                raise RecordingError(f"is not a fleet-tui recording: {why}")
+                raise RecordingError(Message("is not a fleet-tui recording: {why}", why=why))
             if stamp.version > VERSION:
                 raise RecordingError(
-                    f"was written by a newer fleet-tui (format {stamp.version}, this one reads {VERSION}):"
-                    " update fleet-tui"
+                    Message(
+                        "was written by a newer fleet-tui (format {version}, this one reads {version2}):"
+                        " update fleet-tui",
+                        version=stamp.version,
+                        version2=VERSION,
+                    )
                 )
             header = decode(line, stamp.version)
             assert isinstance(header, RecordingHeader)
             problems = checked(header.config)
             if problems:
-                raise RecordingError(f"contains an invalid configuration: {problems[0]}")
+                raise RecordingError(
+                    Message("contains an invalid configuration: {problems}", problems=problems[0])
+                )
         except RecordingError as problem:
-            raise RecordingError(f"{path}: {problem}") from None
+            raise RecordingError(Message("{path}: {problem}", path=path, problem=problem)) from None
         return header, max(1, os.fstat(file.fileno()).st_size)
 
 
@@ -173,7 +182,7 @@ def _reach(recording: Recording, line: bytes) -> Instant:
     stamp = _stamp(line)
     earliest = max(0.0, recording.end.at)
     if stamp.kind != "header" and not (earliest <= stamp.at < LONGEST_UP and 0.0 <= stamp.wall < LAST_SECOND):
-        raise RecordingError("record with an impossible time")
+        raise RecordingError(Message("record with an impossible time"))
     moment = Instant(stamp.at, stamp.wall)
     if stamp.kind != "header":
         recording.end = moment

@@ -10,6 +10,7 @@ from msgspec import Struct
 
 from fleet_tui.recording.part_file import PartFile
 from fleet_tui.recording.records import RecordingError
+from fleet_tui.text.language import EMPTY, Message, verbatim
 
 LOG = logging.getLogger(__name__)
 
@@ -63,8 +64,8 @@ class PartFiles:
         """Begin. `head` returns the first lines of a part that begins at a monotonic second. Raises
         RecordingError if `first`, or another part of it, exists already, or can't be created."""
         if any(parts_beside(first)):
-            raise RecordingError(f"{first}: exists: choose another name, or remove it")
-        self.problem = ""
+            raise RecordingError(Message("{first}: exists: choose another name, or remove it", first=first))
+        self.problem = EMPTY
         self.paths: list[Path] = []
         self._first = first
         self._limits = limits
@@ -76,7 +77,9 @@ class PartFiles:
             self._open(time.monotonic())
         except (OSError, ValueError) as problem:
             message = getattr(problem, "strerror", "") or problem
-            raise RecordingError(f"{first}: not writable: {message}") from None
+            raise RecordingError(
+                Message("{first}: not writable: {message}", first=first, message=message)
+            ) from None
 
     @property
     def is_open(self) -> bool:
@@ -106,7 +109,7 @@ class PartFiles:
             # A foreign file may have the name.
             self._number += isinstance(problem, FileExistsError)
             return self._fail(problem)
-        self.problem = ""
+        self.problem = EMPTY
         return True
 
     def write(self, lines: bytes) -> bool:
@@ -162,7 +165,7 @@ class PartFiles:
             file.close()
 
     def _fail(self, problem: OSError) -> bool:
-        message = problem.strerror or str(problem)
+        message = verbatim(problem.strerror or problem)
         if message != self.problem:
             LOG.error("recording: not written: %s: %s", self._first, message)
         self.problem = message

@@ -16,6 +16,7 @@ from fleet_tui.recording.part_files import USUAL, PartLimits
 from fleet_tui.recording.part_writer import PartWriter
 from fleet_tui.state.store import Store
 from fleet_tui.storage.worker import Worker
+from fleet_tui.text.language import EMPTY, Message
 
 LOG = logging.getLogger(__name__)
 
@@ -59,11 +60,11 @@ class Recorder:
         store.watchers = [*store.watchers, self.watch]
 
     @property
-    def problem(self) -> str:
+    def problem(self) -> Message:
         """Return the reason that nothing is written now, empty while data is written."""
         if self.writer.files.problem:
             return self.writer.files.problem
-        return "data rate too high" if self._dropped else ""
+        return Message("data rate too high") if self._dropped else EMPTY
 
     @property
     def size(self) -> int:

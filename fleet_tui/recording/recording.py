@@ -31,6 +31,7 @@ from fleet_tui.recording.records import (
     SentFrame,
     decode,
 )
+from fleet_tui.text.language import EMPTY, Message
 
 _OfRobot = (
     events.Telemetry | Navigation | VehicleFact | MemberFact | events.MapFactReceived | QueueChange
@@ -82,10 +83,12 @@ class Recording:
         return self.keyframes[0]
 
     @property
-    def note(self) -> str:
+    def note(self) -> Message:
         """Return a note on unreadable data, empty if all could be read."""
-        more = f" and {len(self.notes) - 1} more" if self.notes[1:] else ""
-        return self.notes[0] + more if self.notes else ""
+        if not self.notes:
+            return EMPTY
+        more = Message(" and {count} more", count=len(self.notes) - 1) if self.notes[1:] else ""
+        return Message("{note}{more}", note=self.notes[0], more=more)
 
     def records(self, from_at: float = -math.inf) -> Iterator[Record]:
         """Return everything from the last keyframe at or before a monotonic second, which is first.
@@ -133,7 +136,10 @@ class Recording:
         )
         if not fits:
             raise RecordingError(
-                f"{self.path}: a keyframe does not match its configuration: make a new recording"
+                Message(
+                    "{path}: a keyframe does not match its configuration: make a new recording",
+                    path=self.path,
+                )
             )
         # Recordings of version 1 know no kinds.
         adapters = adapters_of(config)
@@ -169,7 +175,7 @@ class _Names(NamedTuple):
             case _:
                 known = True
         if not known:
-            raise RecordingError("record of something not in its configuration")
+            raise RecordingError(Message("record of something not in its configuration"))
 
     def _has(self, event: events.Event) -> bool:
         """Tell whether all names of an event exist. Reports of other robots are skipped."""

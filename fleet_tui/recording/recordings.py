@@ -15,7 +15,7 @@ from fleet_tui.recording.part_files import PartLimits, parts_beside
 from fleet_tui.recording.recorder import Recorder
 from fleet_tui.recording.taps import Taps
 from fleet_tui.state.store import Store
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message, verbatim
 from fleet_tui.text.units import age
 
 LOG = logging.getLogger(__name__)
@@ -41,7 +41,7 @@ class Recordings:
         self._recorder: Recorder | None = None
         self._earlier = list[Path]()
         """The last minutes before the fleet was extended."""
-        self._problem = ""
+        self._problem = EMPTY
 
     @property
     def recorder(self) -> "Recorder | None":
@@ -65,7 +65,7 @@ class Recordings:
             self._recent = self._record(folder / f"{_of_this_process()}-{_now()}.jsonl.gz", limits)
         except (FleetError, OSError) as problem:
             LOG.warning("last minutes not kept: %s", problem)
-            self._problem = getattr(problem, "strerror", "") or str(problem)
+            self._problem = verbatim(getattr(problem, "strerror", None) or problem)
 
     def extend(self, config: Config, change: Callable[[], None]) -> None:
         """Go on in new recordings with this configuration, after a `change` of the fleet to it: a recording
@@ -96,15 +96,13 @@ class Recordings:
         self._recorder = self._record(self._folder / RECORDINGS / f"{_now()}.jsonl.gz", limits)
         return self._recorder.path
 
-    def stop(self) -> str:
+    def stop(self) -> Message:
         recorder, self._recorder = self._recorder, None
         if recorder is None:
-            return "no recording running"
+            return Message("no recording running")
         lasted = age(time.monotonic() - recorder.began)
         self.taps.detach(recorder)
-        lost = (
-            Message(", incomplete: {problem}", problem=Message(recorder.problem)) if recorder.problem else ""
-        )
+        lost = Message(", incomplete: {problem}", problem=recorder.problem) if recorder.problem else ""
         return Message(
             "recorded {lasted}, {size} MB{lost}: {path}",
             lasted=lasted,
@@ -113,15 +111,19 @@ class Recordings:
             path=recorder.path,
         )
 
-    def notes(self) -> list[str]:
+    def notes(self) -> list[Message]:
         """Return notes: that it records, and any failures."""
-        found = []
+        found = list[Message]()
         if self._recorder is not None:
             problem = self._recorder.problem
             lasts = age(time.monotonic() - self._recorder.began)
-            found.append(f"rec: not written: {problem}" if problem else Message("rec {lasts}", lasts=lasts))
+            found.append(
+                Message("rec: not written: {problem}", problem=problem)
+                if problem
+                else Message("rec {lasts}", lasts=lasts)
+            )
         problem = self._recent.problem if self._recent else self._problem
-        return [*found, f"last minutes not kept: {problem}"] if problem else found
+        return [*found, Message("last minutes not kept: {problem}", problem=problem)] if problem else found
 
     def recent(self) -> list[Path]:
         """Return the files of the last minutes, the oldest first: together, in this order, or each alone they

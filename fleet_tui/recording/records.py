@@ -22,7 +22,7 @@ from fleet_tui.model.geometry import MapFrame
 from fleet_tui.model.grid import OccupancyGrid, check_frame
 from fleet_tui.model.occupancy import OCCUPIED, build_grid
 from fleet_tui.recording.upgrade import upgrade_record, upgrade_state
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import Message, from_english
 
 VERSION = 2
 """Version of the records below. It grows when an older program could not read them any more. Those of version
@@ -156,6 +156,8 @@ class Packer:
 def _unpacked(kind: type, value: Any) -> Any:
     if issubclass(kind, Path):
         return Path(value)
+    if kind is Message:
+        return from_english(kind, value)
     packed = msgspec.convert(value, _Cells)
     frame = packed.frame
     check_frame(frame)
@@ -163,7 +165,14 @@ def _unpacked(kind: type, value: Any) -> Any:
     # A few bytes can expand to more than fits into memory.
     cells = zlib.decompressobj().decompress(packed.cells, size + 1)
     if len(cells) != size:
-        raise MapError(f"a map of {frame.width} x {frame.height} px with {len(cells)} cells")
+        raise MapError(
+            Message(
+                "a map of {width} x {height} px with {cells} cells",
+                width=frame.width,
+                height=frame.height,
+                cells=len(cells),
+            )
+        )
     levels = np.frombuffer(cells, np.uint8).reshape(frame.height, frame.width)
     return build_grid(frame, np.minimum(levels, OCCUPIED))
 
@@ -215,21 +224,21 @@ def _upgraded(line: bytes) -> bytes:
     try:
         return msgspec.json.encode(upgrade_record(msgspec.json.decode(line)))
     except _BROKEN as problem:
-        raise RecordingError(f"unreadable record: {problem!r}") from None
+        raise RecordingError(Message("unreadable record: {problem}", problem=f"{problem!r}")) from None
 
 
 def _upgraded_state(state: bytes) -> bytes:
     try:
         return msgspec.msgpack.encode(upgrade_state(msgspec.msgpack.decode(state)))
     except _BROKEN as problem:
-        raise RecordingError(f"unreadable record: {problem!r}") from None
+        raise RecordingError(Message("unreadable record: {problem}", problem=f"{problem!r}")) from None
 
 
 def _decoded(decoder: "msgspec.json.Decoder[T] | msgspec.msgpack.Decoder[T]", content: bytes) -> T:
     try:
         return decoder.decode(content)
     except (msgspec.MsgspecError, ValueError, RecursionError, MapError, zlib.error, MemoryError) as problem:
-        raise RecordingError(f"unreadable record: {problem}") from None
+        raise RecordingError(Message("unreadable record: {problem}", problem=problem)) from None
 
 
 def public(config: Config) -> Config:

@@ -46,7 +46,10 @@ def read_routine(folder: Path, name: str) -> RoutineFile:
     name = name.removesuffix(SUFFIX)
     if not NAME.fullmatch(name):
         raise RoutineError(
-            f"routine {name[:80]!r}: use up to 64 letters, digits, _, . and -, not - or . first"
+            Message(
+                "routine {name}: use up to 64 letters, digits, _, . and -, not - or . first",
+                name=f"{name[:80]!r}",
+            )
         )
     path = folder / f"{name}{SUFFIX}"
     try:
@@ -54,12 +57,16 @@ def read_routine(folder: Path, name: str) -> RoutineFile:
     except FileNotFoundError:
         others = [one for one in routine_names(folder) if one != name]  # a broken link has this very name
         near = did_you_mean(name, others) or Message(": create {path}", path=path)
-        raise RoutineError(f"unknown routine {name!r}{near}") from None
+        raise RoutineError(Message("unknown routine {name}{near}", name=f"{name!r}", near=near)) from None
     except UnicodeDecodeError:
-        raise RoutineError(f"{path}: not UTF-8 text: save it as UTF-8") from None
+        raise RoutineError(Message("{path}: not UTF-8 text: save it as UTF-8", path=path)) from None
     except (OSError, ValueError) as problem:
-        reason = problem.strerror if isinstance(problem, OSError) else f"{problem}: divide it"
-        raise RoutineError(f"{path}: {reason}") from None
+        reason = (
+            problem.strerror
+            if isinstance(problem, OSError)
+            else Message("{problem}: divide it", problem=problem)
+        )
+        raise RoutineError(Message("{path}: {reason}", path=path, reason=reason)) from None
     if found := doubt_of_content(path, text):
         raise RoutineError(or_trusted(found))
     return RoutineFile(name, path, parse_routine(text), hashlib.sha256(text.encode()).hexdigest())

@@ -14,8 +14,7 @@ from fleet_tui.routines.owner import owner_of
 from fleet_tui.routines.progress import RoutineProgress, load_progress, progress_path
 from fleet_tui.rules.language.words import find_robot
 from fleet_tui.rules.routines.positions import fits
-from fleet_tui.text.language import Message
-from fleet_tui.text.units import counted
+from fleet_tui.text.language import EMPTY, Message, counted, message_of, verbatim
 
 
 class RoutinePlace(Struct, frozen=True):
@@ -23,7 +22,7 @@ class RoutinePlace(Struct, frozen=True):
 
     folder: Path
     state: Path
-    refusal: str = ""
+    refusal: Message = EMPTY
 
     def read(self, name: str) -> RoutineFile:
         """Return a routine by its name. Raises RoutineError."""
@@ -57,7 +56,7 @@ def _row(place: RoutinePlace, state: FleetState, name: str) -> RoutineRow:
     try:
         file = place.read(name)
     except RoutineError as problem:
-        return RoutineRow(name, problem=str(problem))
+        return RoutineRow(name, problem=message_of(problem))
     plans, progress = plans_of(state, file), load_progress(progress_path(place.state, file.path))
     lanes = progress.lanes if progress is not None and progress.digest == file.digest else ()
     return RoutineRow(
@@ -71,20 +70,25 @@ def _row(place: RoutinePlace, state: FleetState, name: str) -> RoutineRow:
     )
 
 
-def _problem(file: RoutineFile) -> str:
+def _problem(file: RoutineFile) -> Message:
     found = file.parsed.problems
-    more = f", and {counted(len(found) - 1, 'more problem')}" if len(found) > 1 else ""
+    more = counted(", and {count} more problem", ", and {count} more problems", len(found) - 1)
     return (
-        Message("line {line}: {text}{more}", line=found[0].line, text=Message(found[0].text), more=more)
+        Message(
+            "line {line}: {text}{more}",
+            line=found[0].line,
+            text=found[0].text,
+            more=more if found[1:] else "",
+        )
         if found
-        else ""
+        else EMPTY
     )
 
 
-def _owner(place: RoutinePlace, state: FleetState, progress: RoutineProgress | None) -> str:
+def _owner(place: RoutinePlace, state: FleetState, progress: RoutineProgress | None) -> Message:
     """Return the process that leads the robots of an open run, empty if it has ended."""
     if progress is None or progress.is_over:
-        return ""
+        return EMPTY
     urls = bridge_urls(state, (lane.robot for lane in progress.lanes if lane.robot in state.robots))
     owners = (owner_of(place.state, robot, url) for robot, url in urls.items())
-    return next((owner for owner in owners if owner), "")
+    return verbatim(next((owner for owner in owners if owner), ""))

@@ -7,6 +7,7 @@ from pathlib import Path
 from fleet_tui.errors import RoutineError
 from fleet_tui.storage.lock import LockFile
 from fleet_tui.storage.lock import owner_of as owner_of_lock
+from fleet_tui.text.language import Message
 from fleet_tui.text.sanitize import sanitize
 
 
@@ -27,11 +28,19 @@ class RobotLocks:
                 is_mine = lock.take(self._owner)
             except OSError as problem:
                 self.release()
-                raise RoutineError(f"{lock.path}: {problem.strerror}: make it writable") from None
+                raise RoutineError(
+                    Message("{path}: {strerror}: make it writable", path=lock.path, strerror=problem.strerror)
+                ) from None
             if not is_mine:
                 self.release()
-                owner = owner_of(self._folder, robot, url) or "another process"
-                raise RoutineError(f"{robot} is led by {owner}: stop that first, or wait for its end")
+                owner = owner_of(self._folder, robot, url) or Message("another process")
+                raise RoutineError(
+                    Message(
+                        "{robot} is led by {owner}: stop that first, or wait for its end",
+                        robot=robot,
+                        owner=owner,
+                    )
+                )
 
     def release(self) -> None:
         """Let others lead the robots."""
@@ -42,7 +51,7 @@ class RobotLocks:
 def owner_of(folder: Path, robot: str, url: str) -> str:
     """Return the present owner of a robot, empty if there is none."""
     owner = owner_of_lock(_path(folder, robot, url))
-    return "" if owner is None else sanitize(owner) or "another process"
+    return "" if owner is None else sanitize(owner) or Message("another process")
 
 
 def _path(folder: Path, robot: str, url: str) -> Path:

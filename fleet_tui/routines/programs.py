@@ -13,7 +13,7 @@ from fleet_tui.model.routines.blocks import RunBlock
 from fleet_tui.model.routines.lane import ProgramEnded
 from fleet_tui.programs.process import EndedProcess, run
 from fleet_tui.programs.session_state import exit_text
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.text.limits import truncate
 from fleet_tui.text.sanitize import sanitize
 
@@ -70,7 +70,7 @@ class ProgramRun:
         try:
             self.ended = _outcome(self._loop.run_until_complete(self._task), self._within)
         except asyncio.CancelledError:
-            self.ended = ProgramEnded(False, "ended by a person")
+            self.ended = ProgramEnded(False, Message("ended by a person"))
         finally:
             self._loop.close()
 
@@ -97,7 +97,9 @@ def _outcome(process: EndedProcess, within: float) -> ProgramEnded:
     lines = [line for line in process.output.splitlines() if line.strip()]
     last = truncate(sanitize(lines[-1].strip()), LONGEST_END) if lines else ""
     if process.is_late:
-        reason: str = Message("not ended within {within} s", within=f"{within:.0f}")
+        reason: Message = Message("not ended within {within} s", within=f"{within:.0f}")
     else:
-        reason = process.problem or ("" if process.code is None else exit_text(process.code))
-    return ProgramEnded(process.code == 0, f"{reason}: {last}" if last else reason)
+        reason = process.problem or (EMPTY if process.code is None else exit_text(process.code))
+    return ProgramEnded(
+        process.code == 0, Message("{reason}: {last}", reason=reason, last=last) if last else reason
+    )

@@ -10,7 +10,7 @@ from fleet_tui.errors import RoutineError
 from fleet_tui.model.routines.lane import Gate, Lane, LanePhase
 from fleet_tui.routines.files import RoutineFile
 from fleet_tui.storage.whole_file import write_whole
-from fleet_tui.text.language import in_english
+from fleet_tui.text.language import Message, from_english, in_english
 
 LARGEST = 10_000_000
 
@@ -45,7 +45,7 @@ def save_progress(path: Path, progress: RoutineProgress) -> None:
 def load_progress(path: Path) -> RoutineProgress | None:
     """Return the progress, None if there is none that can be read."""
     try:
-        return msgspec.json.decode(read_text(path, LARGEST), type=RoutineProgress)
+        return msgspec.json.decode(read_text(path, LARGEST), type=RoutineProgress, dec_hook=from_english)
     except (OSError, ValueError, msgspec.MsgspecError):
         return None
 
@@ -54,9 +54,11 @@ def resumable(path: Path, file: RoutineFile) -> RoutineProgress:
     """Return the progress to resume. Raises RoutineError if there is none for this file as it is now."""
     progress = load_progress(path)
     if progress is None or progress.is_over:
-        raise RoutineError(f"{file.name} has nothing to resume: run it without --resume")
+        raise RoutineError(Message("{name} has nothing to resume: run it without --resume", name=file.name))
     if progress.digest != file.digest:
-        raise RoutineError(f"{file.name} was changed since it was held: start it again, without --resume")
+        raise RoutineError(
+            Message("{name} was changed since it was held: start it again, without --resume", name=file.name)
+        )
     return progress
 
 
@@ -64,10 +66,14 @@ def resumed(lane: Lane) -> Lane:
     """Return a lane of an earlier process, held. A program ended with that process; a wait begins again."""
     if lane.is_over:
         return lane
-    detail = lane.detail if lane.gate is Gate.HELD and lane.detail else "the process that led it has ended"
+    detail = (
+        lane.detail
+        if lane.gate is Gate.HELD and lane.detail
+        else Message("the process that led it has ended")
+    )
     phase = LanePhase.READY
     if lane.phase is LanePhase.ORDERED and lane.order_id:
         phase = LanePhase.ORDERED
     elif lane.phase is LanePhase.ORDERED:
-        detail = "an order was sent, and may be carried out: look at the queue first"
+        detail = Message("an order was sent, and may be carried out: look at the queue first")
     return msgspec.structs.replace(lane, phase=phase, gate=Gate.HELD, detail=detail)

@@ -40,7 +40,7 @@ from fleet_tui.rules.routines.orders import earlier_outcome, order_of, outcome_o
 from fleet_tui.rules.routines.positions import fits
 from fleet_tui.rules.routines.stepping import step
 from fleet_tui.state.store import Store
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message, message_of
 
 Give = Callable[[Request], OrderEnded | OrderWithheld | None]
 """Checks and sends the single command of a request. Returns the objection, None if it was sent."""
@@ -72,7 +72,9 @@ class RoutineRun:
         self.plans: Mapping[str, LanePlan] = lanes
         known = {lane.robot: resumed(lane) for lane in before.lanes} if before else {}
         if not all(fits(plan, known[name]) for name, plan in lanes.items() if name in known):
-            raise RoutineError(f"{file.name}: its progress does not fit the file: start it again")
+            raise RoutineError(
+                Message("{name}: its progress does not fit the file: start it again", name=file.name)
+            )
         now = time.time()
         self.lanes = {name: known.get(name, Lane(name, since=now)) for name in lanes}
         self._started = before.started if before else now
@@ -93,11 +95,11 @@ class RoutineRun:
         lanes = tuple(self.lanes.values())
         return RoutineProgress(self.file.digest, lanes, self._started, time.time(), self._operator)
 
-    def no_link(self, robot: str) -> str:
+    def no_link(self, robot: str) -> Message:
         """Return the reason that commands do not reach a robot, empty if they do."""
         state = self._parts.store.state
         found = no_link(state, state.robots[robot], ResumeRobot(robot))
-        return next((problem.text for problem in found), "")
+        return next((problem.text for problem in found), EMPTY)
 
     def request(self, event: LaneRequest, robot: str = "") -> None:
         """Carry out the request of a person, for one robot or for all."""
@@ -176,9 +178,9 @@ class RoutineRun:
         try:
             request = order_of(self._parts.store.state.robots[robot], action.block)
         except CommandError as problem:
-            return OrderEnded(False, str(problem))
+            return OrderEnded(False, message_of(problem))
         if request is None:
-            return OrderEnded(True, "there already")
+            return OrderEnded(True, Message("there already"))
         (self._given[robot],) = request.commands
         self._save()  # before it is sent: after a crash it is asked about, not given twice
         return self._parts.give(request)

@@ -10,6 +10,7 @@ from fleet_tui.errors import RoutineError
 from fleet_tui.model.routines.blocks import DAYS, Schedule
 from fleet_tui.routines.files import RoutineFile
 from fleet_tui.storage.whole_file import write_whole
+from fleet_tui.text.language import Message
 
 SERVICE = """\
 [Unit]
@@ -37,10 +38,14 @@ def unit_files(file: RoutineFile, config: Path) -> dict[str, str]:
     """Return the texts of the service and the timer by file name. Raises RoutineError."""
     schedules = file.parsed.routine.schedules
     if not schedules:
-        raise RoutineError(f"{file.name} has no time: begin the file with e.g. every weekday 06:30")
+        raise RoutineError(
+            Message("{name} has no time: begin the file with e.g. every weekday 06:30", name=file.name)
+        )
     words = [*_program(), "--config", str(config.absolute()), "routine", "run", file.name]
     if any(not word.isprintable() for word in words):
-        raise RoutineError(f"{config}: a unit can't hold this path: move it to one of plain letters")
+        raise RoutineError(
+            Message("{config}: a unit can't hold this path: move it to one of plain letters", config=config)
+        )
     unit, times = (
         f"fleet-tui-routine-{file.name}",
         "\n".join(f"OnCalendar={_calendar(one)}" for one in schedules),
@@ -59,7 +64,13 @@ def install(units: dict[str, str]) -> list[Path]:
         for name, text in units.items():
             write_whole(folder / name, text.encode(), is_shared=True)
     except OSError as problem:
-        raise RoutineError(f"{folder}: {problem.strerror}: make it writable, or use --print") from None
+        raise RoutineError(
+            Message(
+                "{folder}: {strerror}: make it writable, or use --print",
+                folder=folder,
+                strerror=problem.strerror,
+            )
+        ) from None
     return [folder / name for name in units]
 
 

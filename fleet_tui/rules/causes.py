@@ -3,6 +3,7 @@
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order_life import UNSAID, GoneOrder
 from fleet_tui.model.robot import Robot
+from fleet_tui.text.language import EMPTY, Message
 
 DIAGNOSED_WITHIN = 10.0
 LOGGED_WITHIN = 60.0
@@ -37,32 +38,32 @@ def cause_of_standing(state: FleetState, robot: Robot) -> str:
     return _told(robot, max(since, state.now - LOGGED_WITHIN), state.now, state.now)
 
 
-def _told(robot: Robot, since: float, until: float, at: float) -> str:
+def _told(robot: Robot, since: float, until: float, at: float) -> Message:
     """Return the line of a robot's log between two seconds that tells best why something happened `at` a
     third one, empty for none: one beside that, an error, the newest."""
     lines = [one for one in robot.logged if since <= one.at <= until]
     if not lines:
-        return ""
+        return EMPTY
     return max(lines, key=lambda one: (one.at >= at - BESIDE_END, not one.is_warning, one.at)).text
 
 
-HELD_FAST = "Look at the robot: its wheels or its way may be blocked"
+HELD_FAST = Message("Look at the robot: its wheels or its way may be blocked")
 """The remedy for a drive without progress."""
-NO_WAY = "Check the goal, the map and the costmap: the robot finds no way to it"
+NO_WAY = Message("Check the goal, the map and the costmap: the robot finds no way to it")
 """The remedy for a goal without a plan."""
 
 
-def remedy_of(cause: str) -> str:
+def remedy_of(cause: str) -> Message:
     """Return the remedy for the words of a navigation stack, empty for others. Without a plan are Nav2's `no
     path to the goal` and move_base's `Failed to find a valid plan`, without progress Nav2's `Failed to make
     progress` and move_base's `Even after executing recovery behaviors`."""
     words = {*cause.replace(".", " ").split()}
     if "plan" in words or "no path" in cause:
         return NO_WAY
-    return HELD_FAST if words & {"progress", "recovery"} else ""
+    return HELD_FAST if words & {"progress", "recovery"} else EMPTY
 
 
-def cause_of_end(robot: Robot, gone: GoneOrder) -> str:
+def cause_of_end(robot: Robot, gone: GoneOrder) -> Message:
     """Return why an order ended: the reason that came with its end, else what the log of its robot told since
     it began; empty if nothing tells."""
     if gone.reason != UNSAID:

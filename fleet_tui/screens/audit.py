@@ -18,7 +18,7 @@ from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.errors import FleetError
 from fleet_tui.model.audit_record import AuditRecord
 from fleet_tui.screens.overlay import Overlay
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import Message, counted, tr, translate
 from fleet_tui.view.tables.audit import audit_table, details
 from fleet_tui.widgets.field import Field, Keys
 from fleet_tui.widgets.messages import RowChosen, RowPicked
@@ -26,7 +26,7 @@ from fleet_tui.widgets.rows_pane import RowsPane
 
 SHOWN = 1000
 """Number of records that are listed; a narrower search reaches the older ones."""
-HOW = "type to filter, robot: by: outcome: since:2h  Enter steps  Ctrl-S CSV"
+HOW = Message("type to filter, robot: by: outcome: since:2h  Enter steps  Ctrl-S CSV")
 
 
 class AuditLog(Overlay):
@@ -52,7 +52,7 @@ class AuditLog(Overlay):
             "pageup": partial(self.rows.move, -10),
             "pagedown": partial(self.rows.move, 10),
         }
-        yield Field(keys, id="audit-filter", placeholder=tr(HOW))
+        yield Field(keys, id="audit-filter", placeholder=translate(HOW))
         yield self.rows
         yield Static(id="audit-detail", markup=False)
 
@@ -146,7 +146,7 @@ class AuditLog(Overlay):
 
     def _export(self) -> None:
         if self._files.refusal:
-            self._say(tr(self._files.refusal))
+            self._say(translate(self._files.refusal))
             return
         wanted = self._wanted()
         if wanted is not None:
@@ -166,10 +166,10 @@ class AuditLog(Overlay):
         path = reading.path.with_name(f"audit-{datetime.now():%Y%m%d-%H%M%S}.csv")
         try:
             count = export(path, wanted())
-            said = tr(
-                "{count} record written to {path}" if count == 1 else "{count} records written to {path}",
-                count=count,
-                path=path,
+            said = translate(
+                counted(
+                    "{count} record written to {path}", "{count} records written to {path}", count, path=path
+                )
             )
         except InterruptedError:
             return

@@ -5,6 +5,7 @@ from collections.abc import Callable
 from textual.widget import Widget
 
 from fleet_tui.controllers.set_up.camera import CameraControls
+from fleet_tui.text.language import Message
 from fleet_tui.widgets.camera_view import CameraView
 from fleet_tui.widgets.panes import Panes
 
@@ -18,7 +19,7 @@ class CameraSwitch:
         map_view: Widget,
         view: CameraView,
         controls: CameraControls,
-        say: Callable[[str], None],
+        say: Callable[[Message], None],
     ) -> None:
         self._panes = panes
         self._map = map_view
@@ -33,7 +34,7 @@ class CameraSwitch:
             self._say(reason)
             return
         if on and (screen.has_class("-tiny") or screen.has_class("-flat")):
-            self._say("no space for a picture: 60 columns and 16 lines at least")
+            self._say(Message("no space for a picture: 60 columns and 16 lines at least"))
             return
         self.view.display = on
         self._panes.set_class(on, "-camera")

@@ -40,7 +40,7 @@ class Confirm(Dialog, can_focus=True):
         """Ask, and call `then` only after a yes."""
         self._question = question
         self._then = then
-        self.query_one("#question", Static).update(tr(question()))
+        self.query_one("#question", Static).update(question())
         self._timer.resume()
         self.open(self)
 
@@ -48,7 +48,7 @@ class Confirm(Dialog, can_focus=True):
         if not self.is_open:
             self._timer.pause()
         elif question := self._question():
-            self.query_one("#question", Static).update(tr(question))
+            self.query_one("#question", Static).update(question)
         else:
             self.action_close()
 

@@ -9,6 +9,7 @@ from fleet_tui.controllers.parts import SetUpParts
 from fleet_tui.keys import KEYS, Pane
 from fleet_tui.keys.drive import PASSES, WHILE_HELD
 from fleet_tui.terminal.lean_app import LeanApp
+from fleet_tui.text.language import Message
 from fleet_tui.widgets.bindings import textual_key
 
 if TYPE_CHECKING:
@@ -53,7 +54,7 @@ def drive_actions(rest: "Rest") -> DriveActions:
     )
 
 
-def after_a_drive(rest: "Rest", reason: str, do: Callable[[], object]) -> Callable[[], object]:
+def after_a_drive(rest: "Rest", reason: Message, do: Callable[[], object]) -> Callable[[], object]:
     """Return an action that ends a drive first."""
 
     def end_first() -> object:

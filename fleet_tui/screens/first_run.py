@@ -14,7 +14,7 @@ from fleet_tui.discovery.address import bridge_at
 from fleet_tui.discovery.site import WITHIN, DiscoveredSite, start_discovery
 from fleet_tui.errors import FleetError
 from fleet_tui.screens.before import RowsScreen
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import Message, tr, translate
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.arrival import Asked, Rows, first_run_rows
 from fleet_tui.widgets.field import Field
@@ -91,11 +91,11 @@ class FirstRun(RowsScreen):
             said = str(problem).removeprefix(f"{shown}: ")
             self._asked = Asked(shown, said, is_over=True)
 
-    def _watch(self, done: int, total: int, doing: str) -> None:
+    def _watch(self, done: int, total: int, doing: Message) -> None:
         """Record progress, on the network's thread."""
         count = tr(", {done} of {total}", done=done, total=total) if total else ""
         self._asked = self._asked._replace(
-            words=tr("discovering the fleet: {doing}{count}", doing=tr(doing), count=count)
+            words=tr("discovering the fleet: {doing}{count}", doing=translate(doing), count=count)
         )
 
     def action_open(self) -> None:

@@ -9,7 +9,7 @@ from textual.widgets import Input
 
 from fleet_tui.documentation import headings, pages, subject
 from fleet_tui.screens.overlay import Overlay
-from fleet_tui.text.language import Message, tr
+from fleet_tui.text.language import Message, tr, verbatim
 from fleet_tui.view.help.layout import help_lines
 from fleet_tui.view.help.pages import Pages, tabs
 from fleet_tui.view.help.section import HelpRow, HelpSection, search
@@ -21,7 +21,7 @@ from fleet_tui.widgets.text_view import TextView
 
 FRAME = 4
 """Lines of the box besides its text: the border, the search, the names of the pages."""
-ELSEWHERE = "Try a shorter or another word. The whole manual: fleet-tui docs, in a shell."
+ELSEWHERE = Message("Try a shorter or another word. The whole manual: fleet-tui docs, in a shell.")
 
 
 @cache
@@ -30,12 +30,14 @@ def _documentation() -> HelpSection:
     texts = {name: path.read_text(encoding="utf-8") for name, path in pages().items()}
     rows = [
         HelpRow(
-            ((Message("fleet-tui docs {name}", name=name), StyleRole.KEY),), subject(text), headings(text)
+            ((Message("fleet-tui docs {name}", name=name), StyleRole.KEY),),
+            verbatim(subject(text)),
+            headings(text),
         )
         for name, text in texts.items()
         if name != "index"
     ]
-    return HelpSection(tr("Documentation, in a shell"), tuple(rows))
+    return HelpSection(Message("Documentation, in a shell"), tuple(rows))
 
 
 class Help(Overlay):
@@ -114,7 +116,7 @@ class Help(Overlay):
         if not sections:
             sections = [
                 HelpSection(
-                    tr("nothing matches {wanted}", wanted=f"{wanted!r}"), (HelpRow((), tr(ELSEWHERE)),)
+                    Message("nothing matches {wanted}", wanted=f"{wanted!r}"), (HelpRow((), ELSEWHERE),)
                 )
             ]
         runs, buttons = tabs(self._pages, "" if wanted else self._page)

@@ -47,7 +47,7 @@ def key_actions(screen: "MainScreen", rest: "Rest") -> Actions:
             charge=rest.orders.charge_now,
             pause=rest.robots.pause,
             resume=rest.robots.resume,
-            pause_all=after_a_drive(rest, "pause all", rest.robots.pause_all),
+            pause_all=after_a_drive(rest, Message("pause all"), rest.robots.pause_all),
             resume_all=rest.robots.resume_all,
             arm=screen.dispatch.arm,
         ),
@@ -67,7 +67,7 @@ def _app_actions(screen: "MainScreen", rest: "Rest") -> AppActions:
     app = screen.app
     assert isinstance(app, LeanApp)
     return AppActions(
-        suspend=after_a_drive(rest, "suspended", app.action_suspend_process),
+        suspend=after_a_drive(rest, Message("suspended"), app.action_suspend_process),
         repaint=app.action_repaint,
         quit=rest.routines.quit,
         say_quit=partial(_say_quit, screen),
@@ -83,7 +83,7 @@ def _say_quit(screen: "MainScreen") -> None:
     screen.notices.say(
         Message("{quit_key} quits; Esc first where something is open", quit_key=quit_key)
         if quit_key
-        else "no key quits: type quit after :"
+        else Message("no key quits: type quit after :")
     )
 
 
@@ -204,9 +204,11 @@ def _mark_alarm(screen: "MainScreen", keys: Sequence[Key]) -> None:
         if one.key in keys:
             screen.alarms.listing.choose(one.key)
             screen.set_focus(screen.alarms)
-            screen.notices.say(sanitize(f"{one.condition.source} {one.text}"))
+            screen.notices.say(
+                sanitize(Message("{source} {text}", source=one.condition.source, text=one.text))
+            )
     if not keys:
-        screen.notices.hint("no robot has an alarm or may need a person")
+        screen.notices.hint(Message("no robot has an alarm or may need a person"))
 
 
 def _place_actions(rest: "Rest") -> PlaceActions:

@@ -167,8 +167,10 @@ class MainScreen(Screen[None]):
     def tell_dropped(self, count: int, stood_still: bool) -> None:
         """Say how many keys were dropped because they were typed for another place."""
         keys = f"{count} key{'s' * (count != 1)} dropped"
-        why = "typed while nothing could be shown" if stood_still else "typed on after Enter"
-        self.notices.say(Message("{keys}, {why}: Esc ends this, F12 pauses all", keys=keys, why=Message(why)))
+        why = (
+            Message("typed while nothing could be shown") if stood_still else Message("typed on after Enter")
+        )
+        self.notices.say(Message("{keys}, {why}: Esc ends this, F12 pauses all", keys=keys, why=why))
 
     def show_rows(self, pane: RowsPane, sought: str = "") -> None:
         """Show the newest rows of a pane, the cursor on the best one sought, else on the selected robot."""

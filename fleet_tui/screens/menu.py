@@ -13,7 +13,7 @@ from textual.widgets import Input, OptionList, Static
 from fleet_tui.controllers.typed import Entry
 from fleet_tui.rules.language.ranking import rank
 from fleet_tui.screens.overlay import Dialog
-from fleet_tui.text.language import Message, tr
+from fleet_tui.text.language import Message, tr, translate
 from fleet_tui.widgets.field import Field
 from fleet_tui.widgets.matches import Matches
 
@@ -52,10 +52,12 @@ class Menu(Dialog):
         yield self._typed
         yield self._list
 
-    def show(self, title: str, entries: Sequence[Entry], marked: int = 0, *, searched: bool = False) -> None:
+    def show(
+        self, title: Message, entries: Sequence[Entry], marked: int = 0, *, searched: bool = False
+    ) -> None:
         """Show the entries, with a mark on one of them; a `searched` list has a field and no keys."""
         self._all = entries
-        self.query_one("#menu-title", Static).update(tr(title))
+        self.query_one("#menu-title", Static).update(translate(title))
         self.border_title = Content(tr("Choose") if searched else tr("Actions"))
         self._typed.display = searched
         self._list.can_focus = not searched
@@ -67,7 +69,7 @@ class Menu(Dialog):
     def _fill(self, marked: int = 0) -> None:
         typed = self._typed.value.strip()
         entries = [entry for entry in self._all if not typed or rank(typed, entry[0]) is not None]
-        texts = [tr(text) for text, _ in entries]
+        texts = [translate(text) for text, _ in entries]
         if not self._typed.display:
             texts = [f"{n}  {text}" if n <= NUMBERED else f"   {text}" for n, text in enumerate(texts, 1)]
         self._list.show(entries, texts, marked)

@@ -12,7 +12,7 @@ from fleet_tui.controllers.offers import Offer
 from fleet_tui.controllers.typed import Typed
 from fleet_tui.rules.language.ranking import rank
 from fleet_tui.screens.overlay import Overlay
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import tr, translate
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.widgets.field import Field, Keys
 from fleet_tui.widgets.matches import Matches
@@ -72,7 +72,7 @@ class Palette(Overlay):
         line = self.query_one(Field).value
         typed, command = line.strip(), self._typed_as(line)
         entries = list(self._entries())
-        offers = (Offer(tr(text), do) for text, do in command.entries)
+        offers = (Offer(translate(text), do) for text, do in command.entries)
         found = [*offers, *_matching(typed, entries)][:SHOWN]
         if command.is_command or not found:
             lines = [one for one in command.completed if one.strip() != typed]
@@ -80,7 +80,7 @@ class Palette(Overlay):
         if typed and not command.is_command:
             found += [one for one in entries if rank(typed, one.also) is not None and one not in found]
         if not found and typed:
-            said = tr(command.problem) or tr(
+            said = translate(command.problem) or tr(
                 "no match for {typed}: press ? for all keys", typed=sanitize(typed)
             )
             found = [Offer(said, partial(self._go_on, line))]

@@ -20,7 +20,7 @@ from fleet_tui.programs.arguments import log
 from fleet_tui.programs.log_tail import LogTail
 from fleet_tui.programs.watch import ProgramWatch
 from fleet_tui.screens.overlay import ReturningOverlay
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import EMPTY, tr, translate
 from fleet_tui.view.programs.table import log_table, note, program_table
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.widgets.bindings import overlay_bindings
@@ -151,10 +151,10 @@ class Programs(ReturningOverlay):
         else:
             self.rows.show(program_table(list(self._watch.rows.values()), since_text, now))
         marked = self._watch.rows.get(str(self.rows.listing.cursor))
-        said = note(marked, now) if marked is not None else ""
+        said = note(marked, now) if marked is not None else EMPTY
         if said != self._noted:  # an update lays out the whole screen
             self._noted = said
-            self.query_one("#program-note", Static).update(tr(said))
+            self.query_one("#program-note", Static).update(translate(said))
 
     def _show_log(self) -> None:
         wanted = self.query_one(Field).value.strip()

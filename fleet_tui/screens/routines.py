@@ -18,7 +18,7 @@ from fleet_tui.controllers.typed import OpenMenu
 from fleet_tui.log_file import state_folder
 from fleet_tui.routines.look import RoutinePlace
 from fleet_tui.screens.overlay import ReturningOverlay
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import Message
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.routines.table import routine_table, text_table
 from fleet_tui.widgets.bindings import overlay_bindings
@@ -59,7 +59,7 @@ class Routines(ReturningOverlay):
         self._requests = requests
         self._led = led
         self._ask = ask
-        self._text: tuple[str, Sequence[str]] | None = None
+        self._text: tuple[Message, Sequence[str]] | None = None
         self._looked = 0.0
         self._has_timer = False
         self._noted = ""
@@ -84,7 +84,7 @@ class Routines(ReturningOverlay):
             self._has_timer = True
             self.set_interval(EVERY, self._tick)
 
-    def show_text(self, title: str, lines: Sequence[str]) -> None:
+    def show_text(self, title: Message, lines: Sequence[str]) -> None:
         """Show a text in the place of the list."""
         self._text = title, lines
         self.open(self.rows)
@@ -130,7 +130,7 @@ class Routines(ReturningOverlay):
         text = marked.runs[-1][0] if marked is not None else ""
         if text != self._noted:  # an update lays out the whole screen
             self._noted = text
-            self.query_one("#routine-note", Static).update(tr(text))
+            self.query_one("#routine-note", Static).update(text)
 
     @property
     def has_losses(self) -> bool:

@@ -19,7 +19,7 @@ from fleet_tui.rules.language.lookup import HERE, Place, is_still, matches, orde
 from fleet_tui.screens.ordering.choices import changed, hindrance
 from fleet_tui.screens.ordering.form import is_same, picture_of
 from fleet_tui.screens.overlay import OnceButton
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import EMPTY, Message, tr, translate
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.tables.doing import told_text
 from fleet_tui.widgets.field import Field
@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from fleet_tui.screens.rest import Rest
 
 
-_PURPOSE = {"from": "the cargo is fetched", "to": "it is brought"}
+_PURPOSE = {"from": Message("the cargo is fetched"), "to": Message("it is brought")}
 """Why a choice is missing."""
 
 
@@ -70,7 +70,7 @@ class Simple(Vertical):
         state: Callable[[], FleetState],
         selected: Callable[[], str],
         select: Callable[[str], None],
-        give: Callable[[Request, Callable[[], None]], str],
+        give: Callable[[Request, Callable[[], None]], Message],
         close: Callable[[], None],
     ) -> None:
         super().__init__(id="simple")
@@ -131,7 +131,7 @@ class Simple(Vertical):
         self._shown = shown
         names_of = {field: sanitize(place.name) for field, place in self._chosen.items()}
         # As Content: a label from the wire is text, whatever markup it looks like.
-        self._button("robot").label = Content(f"{tr('Robot: {name}', name=sanitize(robot.name))}, {does}")
+        self._button("robot").label = Content(tr("Robot: {name}", name=sanitize(robot.name)) + f", {does}")
         self._button("from").label = Content(tr("From: {get}", get=names_of.get("from", start)))
         self._button("to").label = Content(to + names_of.get("to", tr("choose ...")))
         self._button("send").variant = "default" if self._missing() else "primary"
@@ -145,7 +145,7 @@ class Simple(Vertical):
     def start(self) -> None:
         """Show it with nothing chosen, and the focus on the first choice to make."""
         self._forget()
-        self._say("")
+        self._say(EMPTY)
         self.show()
         self._go_on()
 
@@ -166,10 +166,10 @@ class Simple(Vertical):
     def _holds(self, robot: Robot, place: Place) -> bool:
         return starts_here(robot) if place == HERE else is_still(robot, place)
 
-    def _say(self, text: str) -> None:
+    def _say(self, text: Message) -> None:
         note = self.query_one("#simple-missing", Static)
         note.set_class(bool(text), "-missing")
-        note.update(tr(text) or tr("Esc: back to the map"))
+        note.update(translate(text) or tr("Esc: back to the map"))
 
     def _missing(self) -> str:
         """Return the first field without a choice, empty if all have one."""
@@ -202,7 +202,8 @@ class Simple(Vertical):
         robot = self._robot()
         if field != "robot" and not places(robot):
             self._say(
-                hindrance(self._state(), robot) or tr("no places of {name} received yet", name=robot.name)
+                hindrance(self._state(), robot)
+                or Message("no places of {name} received yet", name=robot.name)
             )
             return
         self._choosing = field
@@ -254,7 +255,7 @@ class Simple(Vertical):
         if not field or choice is None:
             return
         self._choosing = ""
-        self._say("")
+        self._say(EMPTY)
         if isinstance(choice, str):
             self._select(choice)
         else:
@@ -267,10 +268,10 @@ class Simple(Vertical):
         robot, missing = self._robot(), self._missing()
         if missing:
             self._say(
-                tr(
+                Message(
                     "{field} is missing: choose where {PURPOSE}",
                     field=tr(missing.capitalize()),
-                    PURPOSE=tr(_PURPOSE[missing]),
+                    PURPOSE=translate(_PURPOSE[missing]),
                 )
             )
             self.screen.set_focus(self._button(missing))

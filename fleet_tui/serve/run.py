@@ -19,6 +19,7 @@ from fleet_tui.errors import FleetError
 from fleet_tui.log_file import log_to_file
 from fleet_tui.serve.guard import guard, is_loopback, say_policy
 from fleet_tui.stopping import stopped_by_signal
+from fleet_tui.text.language import Message
 
 MOST_TABS = 8
 """Maximum number of consoles, each a process of some 90 MB."""
@@ -222,7 +223,14 @@ async def _listen(runner: web.AppRunner, host: str, port: int) -> None:
         # asyncio's own text repeats the address; an invalid name has an errno below 0.
         number = problem.errno or 0
         why = os.strerror(number) if number > 0 else problem.strerror or problem
-        raise FleetError(f"cannot serve on {host} port {port}: {why}; use --port 0 for a free one") from None
+        raise FleetError(
+            Message(
+                "cannot serve on {host} port {port}: {why}; use --port 0 for a free one",
+                host=host,
+                port=port,
+                why=why,
+            )
+        ) from None
 
 
 def _warning(host: str, port: int) -> str:

@@ -23,6 +23,7 @@ from fleet_tui.simulator.ros.ros1 import ROS1
 from fleet_tui.simulator.senses.mount import frames_topic
 from fleet_tui.simulator.sessions.session import Session
 from fleet_tui.simulator.topics import TopicDesk
+from fleet_tui.text.language import Message
 
 LARGEST = 128 * 2**20  # bytes of a message from a client
 SLOW_RATE = 2.0  # Hz of everything but the poses
@@ -200,7 +201,16 @@ class RosbridgeServer:
         ]
 
 
-def _refusal(host: str, port: int, error: OSError) -> str:
+def _refusal(host: str, port: int, error: OSError) -> Message:
     if error.errno == errno.EADDRINUSE:
-        return f"port {port} on {host} is in use: stop the other program, or choose another --port"
-    return f"cannot listen on {host} port {port}: {error.strerror}; choose another --port"
+        return Message(
+            "port {port} on {host} is in use: stop the other program, or choose another --port",
+            port=port,
+            host=host,
+        )
+    return Message(
+        "cannot listen on {host} port {port}: {strerror}; choose another --port",
+        host=host,
+        port=port,
+        strerror=error.strerror,
+    )

@@ -4,6 +4,7 @@ import math
 from typing import NamedTuple
 
 from fleet_tui.model.alarm import Condition, Priority
+from fleet_tui.text.language import EMPTY, Message
 
 
 class AlarmClass(NamedTuple):
@@ -13,7 +14,7 @@ class AlarmClass(NamedTuple):
     priority: str
     cause: str
     consequence: str
-    action: str
+    action: Message
     minutes: float
 
 
@@ -23,17 +24,17 @@ class FactKind(NamedTuple):
     the alarm; `keys` are the ids of the keys that help, `page` the page of diagnostics that shows more."""
 
     name: str
-    word: str
-    over: str = ""
+    word: Message
+    over: Message = EMPTY
     alarm: AlarmClass | None = None
-    remedy: str = ""
+    remedy: Message = EMPTY
     keys: tuple[str, ...] = ()
     page: str = "topics"
 
     @property
-    def action(self) -> str:
+    def action(self) -> Message:
         """Return what a person is to do about it, unless a fact says more."""
-        return self.remedy or (self.alarm.action if self.alarm is not None else "")
+        return self.remedy or (self.alarm.action if self.alarm is not None else EMPTY)
 
 
 class Fact(NamedTuple):
@@ -45,19 +46,19 @@ class Fact(NamedTuple):
 
     kind: FactKind
     source: str
-    text: str
+    text: Message
     priority: Priority
     since: float
-    remedy: str = ""
-    short: str = ""
-    evidence: str = ""
-    question: str = ""
+    remedy: Message = EMPTY
+    short: Message = EMPTY
+    evidence: Message = EMPTY
+    question: Message = EMPTY
     seen: float | None = None
     is_certain: bool = True
     parts: frozenset[str] = frozenset()
 
     @property
-    def action(self) -> str:
+    def action(self) -> Message:
         """Return what a person is to do."""
         return self.remedy or self.kind.action
 

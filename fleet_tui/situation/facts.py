@@ -1,16 +1,20 @@
 """The table of facts: one row for each kind, which alarm, reason, row and status read."""
 
 from fleet_tui.situation.fact import AlarmClass, FactKind
+from fleet_tui.text.language import EMPTY, Message
 
 NO_LINK = FactKind(
     "link",
-    "no link",
-    "link restored",
+    Message("no link"),
+    Message("link restored"),
     AlarmClass(
         "high",
         "no connection to a bridge or broker",
         "its robots can be neither seen nor commanded",
-        "Start the bridge or broker, mend network or settings; `fleet-tui doctor` names the step that fails",
+        Message(
+            "Start the bridge or broker, mend network or settings;"
+            " `fleet-tui doctor` names the step that fails"
+        ),
         1,
     ),
     keys=("diagnostics",),
@@ -18,140 +22,149 @@ NO_LINK = FactKind(
 )
 BRIDGE_HANGS = NO_LINK._replace(
     # With that parameter it stops answering at the second subscription.
-    remedy="Restart rosbridge, or repair the network; on ROS 2 start it without use_events_executor",
+    remedy=Message("Restart rosbridge, or repair the network; on ROS 2 start it without use_events_executor"),
 )
 COMMANDS_DEAD = FactKind(
     "commands",
-    "commands dead",
-    "command path restored",
+    Message("commands dead"),
+    Message("command path restored"),
     AlarmClass(
         "high",
         "telemetry arrives, but commands would not get through, to the robots named or to all",
         "no order and no pause reaches the robots of the link, or those named",
-        "Restart the robots' nodes or the ROS master; pause a robot by its own controls",
+        Message("Restart the robots' nodes or the ROS master; pause a robot by its own controls"),
         1,
     ),
     keys=("diagnostics",),
     page="link",
 )
 HALF_DEAD = COMMANDS_DEAD._replace(
-    word="rosbridge half dead",
-    remedy="Restart rosbridge: nothing of its robots arrives, and they may drive on",
+    word=Message("rosbridge half dead"),
+    remedy=Message("Restart rosbridge: nothing of its robots arrives, and they may drive on"),
 )
 CALLS_HANG = COMMANDS_DEAD._replace(
-    remedy="Restart rosbridge, on ROS 2 without use_events_executor; until then pause a robot by its own"
-    " controls",
+    remedy=Message(
+        "Restart rosbridge, on ROS 2 without use_events_executor;"
+        " until then pause a robot by its own controls"
+    ),
 )
 COMMANDS_UNTRIED = FactKind(
     "commands",
-    "commands not tried yet",
-    remedy="Start rosapi; after a restart of the ROS master restart rosbridge and the robots' nodes, too",
+    Message("commands not tried yet"),
+    remedy=Message(
+        "Start rosapi; after a restart of the ROS master restart rosbridge and the robots' nodes, too"
+    ),
     keys=COMMANDS_DEAD.keys,
     page="link",
 )
 LATE_LINK = FactKind(
     "late",
-    "bridge overloaded",
-    "messages on time",
+    Message("bridge overloaded"),
+    Message("messages on time"),
     AlarmClass(
         "medium",
         "a bridge takes at least a second to answer, and its messages wait as long; high once its robots are"
         " silent, or commands get no reply",
         "the data shown for its robots is old",
-        "Stop its other clients, publish less often on the robots, or add a bridge: [links] in the config",
+        Message(
+            "Stop its other clients, publish less often on the robots, or add a bridge: [links] in the config"
+        ),
         10,
     ),
     keys=("diagnostics",),
 )
 LOST_SUBSCRIPTIONS = FactKind(
     "messages",
-    "rosbridge lost its subscriptions",
-    "topics arrive again",
+    Message("rosbridge lost its subscriptions"),
+    Message("topics arrive again"),
     AlarmClass(
         "high",
         "rosbridge runs without the robots' message package, or lost its own subscriptions, as by a restart"
         " of the ROS master",
         "these robots' messages cannot be read, or do not arrive",
-        "Restart rosbridge; of a lacking package source the robots' workspace before",
+        Message("Restart rosbridge; of a lacking package source the robots' workspace before"),
         10,
     ),
-    remedy="Restart rosbridge: its ROS master was restarted, and its robots may be well",
+    remedy=Message("Restart rosbridge: its ROS master was restarted, and its robots may be well"),
     keys=("diagnostics",),
     page="link",
 )
 UNSOURCED = LOST_SUBSCRIPTIONS._replace(
-    word="rosbridge lacks a package", over="message types available", remedy=""
+    word=Message("rosbridge lacks a package"), over=Message("message types available"), remedy=EMPTY
 )
 NOT_ALLOWED = LOST_SUBSCRIPTIONS._replace(
-    word="not allowed by the bridge",
-    remedy="Add these names to that list of rosbridge (topics_glob, services_glob, actions_glob)"
-    ", and restart it",
+    word=Message("not allowed by the bridge"),
+    remedy=Message(
+        "Add these names to that list of rosbridge (topics_glob, services_glob, actions_glob), and restart it"
+    ),
 )
 HEARTBEAT_NOT_ALLOWED = COMMANDS_DEAD._replace(
     remedy=NOT_ALLOWED.action,
 )
 BEHIND = FactKind(
     "behind",
-    "this console is behind",
-    "this console has caught up",
+    Message("this console is behind"),
+    Message("this console has caught up"),
     AlarmClass(
         "medium",
         "this console is at least a second behind in reading messages",
         "all data shown is old",
-        "Close other programs on this machine, or raise pose_ms and status_ms: [rates] in the config",
+        Message(
+            "Close other programs on this machine, or raise pose_ms and status_ms: [rates] in the config"
+        ),
         10,
     ),
 )
 SILENT = FactKind(
     "offline",
-    "offline",
-    "back online",
+    Message("offline"),
+    Message("back online"),
     AlarmClass(
         "medium",
         "no message for longer than `offline_after` and its bridge's lateness together",
         "it may drive on unseen, and takes no commands",
-        "Check the robot: power, Wi-Fi, its software",
+        Message("Check the robot: power, Wi-Fi, its software"),
         5,
     ),
     keys=("diagnostics",),
 )
-NEVER_SEEN = SILENT._replace(word="never seen")
-AGE_UNKNOWN = SILENT._replace(word="age unknown")
+NEVER_SEEN = SILENT._replace(word=Message("never seen"))
+AGE_UNKNOWN = SILENT._replace(word=Message("age unknown"))
 OLD_STAMPS = FactKind(
     "localisation",
-    "poses arrive late",
-    "localisation recovered",
+    Message("poses arrive late"),
+    Message("localisation recovered"),
     AlarmClass(
         "medium",
         "the robot does not know where it is on its map, drives on without a localisation, reports without a"
         " pose, or for 20 s poses in walls, off the map or off its route graph",
         "it may drive into something, or stop; nobody sees where",
-        "Pause it and set its pose; without a pose check its localisation",
+        Message("Pause it and set its pose; without a pose check its localisation"),
         2,
     ),
     keys=("diagnostics",),
 )
 ADRIFT = OLD_STAMPS._replace(
-    word="localisation silent",
-    remedy="Pause it, and check its localisation: the node (amcl, slam_toolbox) and the laser",
+    word=Message("localisation silent"),
+    remedy=Message("Pause it, and check its localisation: the node (amcl, slam_toolbox) and the laser"),
     keys=("pause", *OLD_STAMPS.keys),
 )
-REPEATED_POSE = OLD_STAMPS._replace(word="poses repeat at rest")
-UNDATED_POSE = OLD_STAMPS._replace(word="pose of unknown age")
+REPEATED_POSE = OLD_STAMPS._replace(word=Message("poses repeat at rest"))
+UNDATED_POSE = OLD_STAMPS._replace(word=Message("pose of unknown age"))
 NO_POSE = OLD_STAMPS._replace(
-    word="no pose",
-    remedy="Pause it, and check its localisation: its node, its laser, the topic's name",
+    word=Message("no pose"),
+    remedy=Message("Pause it, and check its localisation: its node, its laser, the topic's name"),
 )
-UNCERTAIN = OLD_STAMPS._replace(word="localisation uncertain", keys=("pose", "centre"))
+UNCERTAIN = OLD_STAMPS._replace(word=Message("localisation uncertain"), keys=("pose", "centre"))
 BAD_DATA = FactKind(
     "data",
-    "bad data",
-    "no new bad data",
+    Message("bad data"),
+    Message("no new bad data"),
     AlarmClass(
         "low",
         "a message could not be read in the last 10 s; medium if no message of a robot can be read",
         "a value of the robot, or of the link, is missing; with none, nobody sees where it is",
-        "Open diagnostics (d), page Raw, and press b for the bad message",
+        Message("Open diagnostics (d), page Raw, and press b for the bad message"),
         60,
     ),
     keys=("diagnostics",),
@@ -159,13 +172,13 @@ BAD_DATA = FactKind(
 )
 OBSTACLE = FactKind(
     "obstacle",
-    "blocked by an obstacle",
-    "cleared: obstacle",
+    Message("blocked by an obstacle"),
+    Message("cleared: obstacle"),
     AlarmClass(
         "high",
         "in contact with an obstacle for longer than `obstacle_after`",
         "the robot does not drive on; others queue behind it",
-        "Clear the path at the robot",
+        Message("Clear the path at the robot"),
         5,
     ),
     keys=("centre", "camera", "laser"),
@@ -178,99 +191,101 @@ STOP = FactKind(
         "high",
         "stopped by its collision monitor for longer than `obstacle_after`",
         "the robot does not drive on; its goal may be aborted",
-        "Clear the path at the robot",
+        Message("Clear the path at the robot"),
         5,
     ),
     keys=OBSTACLE.keys,
 )
 E_STOP = FactKind(
     "e-stop",
-    "e-stop",
-    "e-stop released",
+    Message("e-stop"),
+    Message("e-stop released"),
     AlarmClass(
         "high",
         "an emergency stop of a vehicle is active",
         "the vehicle does not move; others queue behind it",
-        "Go to the vehicle, check the area around it, then release it there",
+        Message("Go to the vehicle, check the area around it, then release it there"),
         5,
     ),
     keys=OBSTACLE.keys,
 )
 FAULT = FactKind(
     "fault",
-    "error",
-    "no errors reported",
+    Message("error"),
+    Message("no errors reported"),
     AlarmClass(
         "high",
         "an error that a vehicle reports about itself: high if fatal or critical, medium if urgent, else low",
         "after a fatal one its order is not carried out",
-        "Go to the vehicle if it stands",
+        Message("Go to the vehicle if it stands"),
         10,
     ),
     keys=OBSTACLE.keys,
 )
 UNLOCALISED = OLD_STAMPS._replace(
-    word="not localised",
-    over="localised again",
-    remedy="Localise it at the vehicle: take it by hand to a place that it knows",
+    word=Message("not localised"),
+    over=Message("localised again"),
+    remedy=Message("Localise it at the vehicle: take it by hand to a place that it knows"),
     keys=("pose", *OBSTACLE.keys),
 )
 DRIVES_ON = FactKind(
     "order",
-    "order failed, still driving",
-    "order failed",
-    remedy="Pause it: that ends what still drives it",
+    Message("order failed, still driving"),
+    Message("order failed"),
+    remedy=Message("Pause it: that ends what still drives it"),
     keys=("pause", "centre"),
 )
 INACTIVE = FactKind(
     "navigation",
-    "Nav2 inactive",
-    "navigation reports again",
+    Message("Nav2 inactive"),
+    Message("navigation reports again"),
     AlarmClass(
         "medium",
         "the robot reports, but its navigation gives no feedback on the current order any more, or is not"
         " active",
         "the order is not carried out, and cancelling it has no effect",
-        "Restart the robot's navigation, then give the order again",
+        Message("Restart the robot's navigation, then give the order again"),
         5,
     ),
     keys=("pose", "diagnostics"),
     page="log",
 )
 NAVIGATION_SILENT = INACTIVE._replace(
-    word="navigation silent",
-    remedy="Restart the robot's navigation (move_base, bt_navigator), then give the order again",
+    word=Message("navigation silent"),
+    remedy=Message("Restart the robot's navigation (move_base, bt_navigator), then give the order again"),
     keys=("clear", "order"),
 )
 STOPPING = FactKind(
     "pause",
-    "stopping",
-    "pause ended",
+    Message("stopping"),
+    Message("pause ended"),
     AlarmClass(
         "low",
         "paused for longer than `pause_after`; high if the robot still moves 3 s after the pause",
         "its orders wait; one that moves may hit somebody who trusts the pause",
-        "Resume it, or find out who paused it",
+        Message("Resume it, or find out who paused it"),
         30,
     ),
     keys=("resume",),
 )
 STILL_MOVING = STOPPING._replace(
-    word="still moving",
-    over="stands now",
-    remedy="Stop it by its own controls, or by its emergency stop",
+    word=Message("still moving"),
+    over=Message("stands now"),
+    remedy=Message("Stop it by its own controls, or by its emergency stop"),
     keys=("pause", "centre"),
 )
 DESPITE_PAUSE = STILL_MOVING._replace(
-    word="driving despite pause",
-    remedy="Pause it again, or find out who drives it",
+    word=Message("driving despite pause"),
+    remedy=Message("Pause it again, or find out who drives it"),
 )
-BY_HAND = FactKind("mode", "mode", remedy="Switch it to automatic at the vehicle")
+BY_HAND = FactKind("mode", Message("mode"), remedy=Message("Switch it to automatic at the vehicle"))
 CLEARANCE = FactKind(
-    "clearance", "waits for clearance", remedy="Look at the master control: it releases the next nodes"
+    "clearance",
+    Message("waits for clearance"),
+    remedy=Message("Look at the master control: it releases the next nodes"),
 )
 MAP_DISABLED = FactKind(
-    "map", "map is not enabled", remedy="Let the master control enable the map (enableMap)"
+    "map", Message("map is not enabled"), remedy=Message("Let the master control enable the map (enableMap)")
 )
 
 FACTS = (

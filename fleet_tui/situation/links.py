@@ -21,9 +21,9 @@ from fleet_tui.situation.facts import (
     NOT_ALLOWED,
     UNSOURCED,
 )
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message, counted, joined
 from fleet_tui.text.limits import some
-from fleet_tui.text.units import age, counted, duration
+from fleet_tui.text.units import age, duration
 
 LATE_FROM = 1.0
 """Seconds from which this console, or a bridge, counts as late."""
@@ -41,17 +41,20 @@ def no_link(state: FleetState, link: LinkState) -> Fact | None:
     """Find that a bridge is not connected."""
     if link.phase is Phase.UP:
         return None
-    kind, why = _KINDS.get(link.reason, NO_LINK), f": {link.reason}" if link.reason else ""
+    kind, why = (
+        _KINDS.get(link.reason, NO_LINK),
+        Message(": {reason}", reason=link.reason) if link.reason else "",
+    )
     if not link.was_up:
         kind = kind._replace(over=Message("connected after {age}", age=age(state.now - link.since)))
     return Fact(
         kind,
         link.name,
-        f"{kind.word}{why}",
+        Message("{word}{why}", word=kind.word, why=why),
         Priority.HIGH,
         link.since,
         short=kind.word,
-        evidence=Message("no connection to {url}{why}", url=link.url, why=Message(why)),
+        evidence=Message("no connection to {url}{why}", url=link.url, why=why),
     )
 
 
@@ -62,11 +65,13 @@ def dead_commands(link: LinkState) -> Fact | None:
         return None
     kind, text = _KINDS.get(link.command_reason, COMMANDS_DEAD), link.command_reason
     if link.command_path is CommandPath.DEAD:  # else of some robots: the others take commands
-        text = f"{COMMANDS_DEAD.word}: {link.command_reason}"
-    evidence = "no order and no pause gets through"
+        text = Message(
+            "{word}: {command_reason}", word=COMMANDS_DEAD.word, command_reason=link.command_reason
+        )
+    evidence = Message("no order and no pause gets through")
     fact = Fact(kind, link.name, text, Priority.HIGH, link.since, evidence=evidence)
     if kind is HALF_DEAD:
-        evidence = "no topic and no node: only the bridge itself answers"
+        evidence = Message("no topic and no node: only the bridge itself answers")
         fact = fact._replace(short=kind.word, evidence=evidence)
     return fact
 
@@ -84,7 +89,7 @@ def untried_commands(link: LinkState) -> Fact | None:
         link.name,
         Message(
             "commands {command_reason}: {remedy}",
-            command_reason=Message(link.command_reason),
+            command_reason=link.command_reason,
             remedy=Message(remedy),
         ),
         priority,
@@ -102,16 +107,16 @@ def late_link(state: FleetState, link: LinkState) -> Fact | None:
     if not is_late(link):
         return None
     silent = sum(robot.link == link.name and not state.is_online(robot) for robot in state.robots.values())
-    effects = [f"{counted(silent, 'robot')} silent"] * (silent > 0)
-    effects += ["no reply to commands"] * (link.command_path in NO_WAY)
-    why, told = LATE_LINK.word, ", ".join(effects)
-    text = Message("messages {duration} late: {why}", duration=duration(link.late), why=Message(why))
+    effects = [counted("{count} robot silent", "{count} robots silent", silent)] * (silent > 0)
+    effects += [Message("no reply to commands")] * (link.command_path in NO_WAY)
+    why, told = LATE_LINK.word, joined(", ", effects)
+    text = Message("messages {duration} late: {why}", duration=duration(link.late), why=why)
     if told:
         text = Message(
             "messages {duration} late, {told}: {why}",
             duration=duration(link.late),
-            told=Message(told),
-            why=Message(why),
+            told=told,
+            why=why,
         )
     priority = Priority.HIGH if told else Priority.MEDIUM
     since = state.began.get((link.name, LATE_LINK.name), state.now)
@@ -150,7 +155,7 @@ def lost_subscriptions(link: LinkState) -> Fact | None:
         Priority.HIGH,
         link.since,
         short=LOST_SUBSCRIPTIONS.word,
-        evidence="nodes publish its topics, and the bridge is not among their subscribers",
+        evidence=Message("nodes publish its topics, and the bridge is not among their subscribers"),
     )
 
 
@@ -173,7 +178,7 @@ def not_allowed(link: LinkState) -> Fact | None:
         Priority.HIGH,
         link.since,
         short=NOT_ALLOWED.word,
-        evidence="its log says so, or it alone leaves these calls unanswered",
+        evidence=Message("its log says so, or it alone leaves these calls unanswered"),
     )
 
 
@@ -193,11 +198,11 @@ def hidden(link: LinkState, robot: str, topic: str = "") -> Fact | None:
     return not_allowed(link) if is_barred else None
 
 
-def bridge_remedy(state: FleetState, robot: Robot, topic: str = "") -> str:
+def bridge_remedy(state: FleetState, robot: Robot, topic: str = "") -> Message:
     """Return what to do at the bridge of a robot of which nothing arrives, or not this topic, empty if it may
     be the robot."""
     fact = hidden(state.links[robot.link], robot.name, topic.replace("{robot}", robot.name))
-    return fact.action if fact is not None else ""
+    return fact.action if fact is not None else EMPTY
 
 
 def behind(state: FleetState) -> Fact | None:

@@ -29,10 +29,10 @@ def uncertain(robot: Robot, limit: float = LOST_ABOVE) -> Fact | None:
     return Fact(
         UNCERTAIN,
         robot.name,
-        f"{UNCERTAIN.word}: within {metres:.1f} m",
+        Message("{word}: within {metres} m", word=UNCERTAIN.word, metres=f"{metres:.1f}"),
         Priority.MEDIUM,
         found.at,
-        short="pose uncertain",
+        short=Message("pose uncertain"),
         evidence=Message("within {metres} m, as its localisation says", metres=f"{metres:.1f}"),
         seen=found.at,
     )
@@ -45,18 +45,21 @@ def no_pose(state: FleetState, robot: Robot) -> Fact | None:
         return None
     remedy = bridge_remedy(state, robot, robot.kind.pose_topic)
     if robot.pose is not None:
-        text: str = Message("no pose for {age}", age=age(state.now - robot.pose.at))
-        short: str = Message("pose {age} old", age=age(state.now - robot.pose.at))
-        since, evidence = robot.pose.at, "other reports arrive: the robot may have moved since"
+        text: Message = Message("no pose for {age}", age=age(state.now - robot.pose.at))
+        short: Message = Message("pose {age} old", age=age(state.now - robot.pose.at))
+        since, evidence = robot.pose.at, Message("other reports arrive: the robot may have moved since")
         if _lacks_odometry(state, robot):
             topic = robot.kind.odometry_topic.replace("{robot}", robot.name)
             evidence = Message("no odometry on {topic}: the robot may have moved since", topic=topic)
             remedy = bridge_remedy(state, robot, robot.kind.odometry_topic) or NO_ODOMETRY
     elif inactive(state, robot) is None:
         topic = robot.kind.pose_topic.replace("{robot}", robot.name)
-        text, short = "no pose received", "pose missing"
+        text, short = Message("no pose received"), Message("pose missing")
         since = state.began.get((robot.name, NO_POSE.name), state.now)
-        evidence = f"other reports received, no pose{topic and f' on {topic}'}: position unknown"
+        evidence = Message(
+            "other reports received, no pose{topic}: position unknown",
+            topic=topic and Message(" on {topic}", topic=topic),
+        )
     else:
         return None
     return Fact(

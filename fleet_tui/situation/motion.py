@@ -9,14 +9,14 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.model.vehicles.vehicle import CurrentAction, Vehicle
 from fleet_tui.situation.fact import Fact
 from fleet_tui.situation.facts import DESPITE_PAUSE, STILL_MOVING, STOPPING
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.text.units import age
 
 STANDS_AFTER = 1.0
 """Seconds without movement after which a robot counts as standing, and within which it counted as moving."""
 SELDOM = 2.0
 """Seconds between the poses of robots that nobody looks at, at most by the usual configuration."""
-LOCK = "Pause it again: that locks its motors"
+LOCK = Message("Pause it again: that locks its motors")
 
 
 def _fresh(state: FleetState, robot: Robot) -> Vehicle | None:
@@ -37,10 +37,10 @@ def running_action(state: FleetState, robot: Robot) -> CurrentAction | None:
     return robot.acting if is_busy and _fresh(state, robot) is not None else None
 
 
-def action_text(state: FleetState, current: CurrentAction) -> str:
+def action_text(state: FleetState, current: CurrentAction) -> Message:
     """Return an action with the time that it has taken so far, as far as that was seen."""
-    text = f"{current.action.type or 'action'}, {age(state.now - current.since)}"
-    return text if current.is_begin_seen else Message("{text} (seen)", text=Message(text))
+    text = Message("{type}, {age}", type=current.action.type or "action", age=age(state.now - current.since))
+    return text if current.is_begin_seen else Message("{text} (seen)", text=text)
 
 
 def stands_since(robot: Robot, given_at: float) -> bool | None:
@@ -101,11 +101,13 @@ def moves_despite_pause(state: FleetState, robot: Robot) -> Fact | None:
         return Fact(
             DESPITE_PAUSE,
             robot.name,
-            DESPITE_PAUSE.word if is_moving(robot, state.now) else "another goal despite pause",
+            DESPITE_PAUSE.word if is_moving(robot, state.now) else Message("another goal despite pause"),
             Priority.MEDIUM,
             goal.begun_at or state.now,
-            remedy="Pause it again to cancel that goal, or ask who sends it goals",
-            evidence="another client sent a goal after the pause; a pause holds only this console's goals",
+            remedy=Message("Pause it again to cancel that goal, or ask who sends it goals"),
+            evidence=Message(
+                "another client sent a goal after the pause; a pause holds only this console's goals"
+            ),
         )
     if stands_since(robot, 0.0):
         return None
@@ -118,9 +120,9 @@ def moves_despite_pause(state: FleetState, robot: Robot) -> Fact | None:
         return None
     since = state.began.get((robot.name, STOPPING.name), state.now)
     kind, text, priority = STOPPING, STOPPING.word, Priority.LOW
-    evidence = "the robot does not report yet that it stands"
+    evidence = Message("the robot does not report yet that it stands")
     if not state.is_online(robot) or state.now - at > state.patience(robot):
-        text = "not seen to stop"
+        text = Message("not seen to stop")
         evidence = Message("last speed reported {age} ago", age=age(state.now - at))
     elif motion.is_moving and motion.stood and motion.stood > since and at - since > STOPS_WITHIN:
         kind, text, priority, since = DESPITE_PAUSE, DESPITE_PAUSE.word, Priority.MEDIUM, motion.stood
@@ -128,5 +130,5 @@ def moves_despite_pause(state: FleetState, robot: Robot) -> Fact | None:
     elif motion.is_moving and at - since > STOPS_WITHIN:
         kind, text, priority = STILL_MOVING, STILL_MOVING.word, Priority.HIGH
         evidence = Message("the robot reports movement {age} after the pause", age=age(at - since))
-    remedy = LOCK if robot.kind.may_lock and robot.moves_on_since_pause else ""
+    remedy = LOCK if robot.kind.may_lock and robot.moves_on_since_pause else EMPTY
     return Fact(kind, robot.name, text, priority, since, remedy, evidence=evidence, seen=at)

@@ -13,7 +13,7 @@ from fleet_tui.situation.facts import INACTIVE, NAVIGATION_SILENT
 from fleet_tui.text.language import Message
 from fleet_tui.text.units import age
 
-NO_ODOMETRY = "Check its wheel odometry: the node of its base, the topic's name"
+NO_ODOMETRY = Message("Check its wheel odometry: the node of its base, the topic's name")
 LOGGED_WITHIN = 60.0
 """Seconds for which a line of the log counts: the one that all are active again is no warning, and not
 read."""
@@ -21,7 +21,7 @@ _BOND_BROKEN = re.compile(r"SERVER (\w+) IS DOWN")
 """What the lifecycle manager logs of a node whose bond is broken."""
 
 
-def inactive_cause(servers: Servers, is_counted: bool, is_placed: bool) -> tuple[str, str]:
+def inactive_cause(servers: Servers, is_counted: bool, is_placed: bool) -> tuple[Message, Message]:
     """Return why servers are not active, and what to do: a node that is down, else what they wait for as they
     start. `is_counted`: the robot has odometry, `is_placed`: a pose on the map."""
     if servers.state == DOWN:
@@ -29,14 +29,16 @@ def inactive_cause(servers: Servers, is_counted: bool, is_placed: bool) -> tuple
             "Start {node} again, then all of Nav2: see its log", node=servers.node
         )
     if not is_counted:
-        return "no odometry", NO_ODOMETRY
+        return Message("no odometry"), NO_ODOMETRY
     if not is_placed:
-        return "no pose yet: set one", "Set its pose: its navigation waits for it"
+        return Message("no pose yet: set one"), Message("Set its pose: its navigation waits for it")
     if servers.node:
-        return f"{servers.node} {servers.state}", Message(
+        return Message("{node} {state}", node=servers.node, state=servers.state), Message(
             "See the log of {node}, or start Nav2 again", node=servers.node
         )
-    return "paused or not started", "Start it: by RViz's Nav2 panel, or nav2_bringup with autostart"
+    return Message("paused or not started"), Message(
+        "Start it: by RViz's Nav2 panel, or nav2_bringup with autostart"
+    )
 
 
 def _logged(robot: Robot) -> Reading[Servers | None] | None:
@@ -51,9 +53,9 @@ def inactive(state: FleetState, robot: Robot) -> Fact | None:
     """Find that the servers that drive a robot are not active: they reject every goal."""
     told, logged = robot.servers, _logged(robot)
     if told is not None and told.value is not None and state.is_fresh(robot, "servers"):
-        evidence = "its lifecycle manager says so: every goal is rejected"
+        evidence = Message("its lifecycle manager says so: every goal is rejected")
     elif logged is not None and state.now - logged.at <= LOGGED_WITHIN:
-        told, evidence = logged, "the log of its lifecycle manager says so"
+        told, evidence = logged, Message("the log of its lifecycle manager says so")
     else:
         return None
     servers = told.value
@@ -64,7 +66,7 @@ def inactive(state: FleetState, robot: Robot) -> Fact | None:
     return Fact(
         INACTIVE,
         robot.name,
-        f"{INACTIVE.word}: {cause}",
+        Message("{word}: {cause}", word=INACTIVE.word, cause=cause),
         Priority.MEDIUM,
         servers.since,
         remedy=remedy,
@@ -75,11 +77,11 @@ def inactive(state: FleetState, robot: Robot) -> Fact | None:
 
 CEASED_AFTER = 10.0
 """Seconds without feedback, which comes many times a second while a goal is driven, until it has ceased."""
-NO_FEEDBACK = (
+NO_FEEDBACK = Message(
     "no feedback on its order, while the robot itself reports: its navigation server has probably crashed, or"
     " was stopped"
 )
-NO_LIST = (
+NO_LIST = Message(
     "its goals are not listed any more, while the robot itself reports: its navigation server has probably"
     " crashed, or was stopped"
 )
@@ -99,9 +101,9 @@ def silent_navigation(state: FleetState, robot: Robot) -> Fact | None:
     elif _is_unsteady(state, robot) and robot.place is not None:
         since = robot.place.at
         text = Message("navigation silent again and again, no movement for {age}", age=age(state.now - since))
-        evidence = (
-            "it answers each order for a moment, and the robot does not move: its navigation server has "
-            "probably crashed each time"
+        evidence = Message(
+            "it answers each order for a moment, and the robot does not move:"
+            " its navigation server has probably crashed each time"
         )
     else:
         return None
@@ -116,7 +118,7 @@ def silent_navigation(state: FleetState, robot: Robot) -> Fact | None:
     )
 
 
-def _ceased(state: FleetState, robot: Robot) -> tuple[float, str] | None:
+def _ceased(state: FleetState, robot: Robot) -> tuple[float, Message] | None:
     """Return the time (monotonic) since which a robot that reports otherwise gives no feedback on its current
     order, or lists none; None while it does, if it never did, and if silence has another cause."""
     order, link = robot.orders.current, state.links[robot.link]

@@ -24,12 +24,12 @@ from fleet_tui.situation.facts import (
 )
 from fleet_tui.situation.links import bridge_remedy, is_late
 from fleet_tui.situation.motion import SELDOM
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.text.units import age
 
-WAKE = "Wake it by its master control (stopHibernation)"
+WAKE = Message("Wake it by its master control (stopHibernation)")
 """The action at a vehicle that said that it sleeps."""
-NO_STATES = "Check its software, and the right of this user to read its states at the broker"
+NO_STATES = Message("Check its software, and the right of this user to read its states at the broker")
 """The action at a vehicle that is connected, and of which no state arrives: mosquitto grants a subscription
 whose messages it then keeps back."""
 BAD_FOR = 10.0
@@ -79,34 +79,35 @@ def silence(state: FleetState, robot: Robot) -> Fact:
     if last is not None:
         since_last = state.now - last
         is_told = known is not None and (robot.is_gone or known.is_asleep)
-        why = f" ({known.text})" if known is not None and is_told else ""
-        kind, text = SILENT, f"{SILENT.word if is_certain else 'silent'} {age(since_last)}{why}"
-        evidence = "link up, no messages"
-        question = f"{robot.name} is {SILENT.word} {age(since_last)}"
+        kind = SILENT
+        word = SILENT.word if is_certain else Message("silent")
+        text = Message("{word} {age}", word=word, age=age(since_last))
+        if known is not None and is_told:
+            text = Message("{text} ({why})", text=text, why=known.text)
+        evidence = Message("link up, no messages")
+        question = Message("{name} is {word} {age}", name=robot.name, word=SILENT.word, age=age(since_last))
     elif known is not None and robot.is_gone:
         kind = SILENT
-        text = f"{SILENT.word} ({known.text})"
-        evidence = "link up, no messages"
-        question = Message("{name} is {text}", name=robot.name, text=Message(text))
+        text = Message("{word} ({text})", word=SILENT.word, text=known.text)
+        evidence = Message("link up, no messages")
+        question = Message("{name} is {text}", name=robot.name, text=text)
     elif robot.is_undated or robot.kept_at is not None:
         kind = AGE_UNKNOWN
         text = AGE_UNKNOWN.word
-        evidence = "link up, one message received: it may be an old one"
+        evidence = Message("link up, one message received: it may be an old one")
         question = Message("the one message of {name} is of unknown age", name=robot.name)
     else:
         kind = NEVER_SEEN
-        text = (
-            NEVER_SEEN.word if known is None else Message("no state yet ({text})", text=Message(known.text))
-        )
-        what = "message" if known is None else "state"
-        evidence = Message("link up, no {what} received", what=Message(what))
-        question = f"{robot.name} was {NEVER_SEEN.word}"
+        text = NEVER_SEEN.word if known is None else Message("no state yet ({text})", text=known.text)
+        what = Message("message") if known is None else Message("state")
+        evidence = Message("link up, no {what} received", what=what)
+        question = Message("{name} was {word}", name=robot.name, word=NEVER_SEEN.word)
         if known is not None:
             question = Message("{name} has sent no state yet: it sends one every 30 s", name=robot.name)
     if known is not None and known.is_asleep:
         remedy = WAKE
     else:
-        remedy = bridge_remedy(state, robot) or (NO_STATES if kind is NEVER_SEEN and known else "")
+        remedy = bridge_remedy(state, robot) or (NO_STATES if kind is NEVER_SEEN and known else EMPTY)
     pose = robot.pose
     is_behind = last is not None and pose is not None and last - pose.at >= 1.0
     return Fact(
@@ -158,16 +159,16 @@ def _unreadable(state: FleetState, robot: Robot) -> Fact | None:
         Message(
             "all messages are bad, {faults} so far: {last_fault}",
             faults=robot.faults,
-            last_fault=Message(robot.last_fault),
+            last_fault=robot.last_fault,
         ),
         Priority.MEDIUM,
         at,
         short=bad_text(robot),
-        evidence=Message("link up, messages arrive: {last_fault}", last_fault=Message(robot.last_fault)),
+        evidence=Message("link up, messages arrive: {last_fault}", last_fault=robot.last_fault),
         question=Message(
             "nothing that {name} sends can be read: {last_fault}",
             name=robot.name,
-            last_fault=Message(robot.last_fault),
+            last_fault=robot.last_fault,
         ),
         seen=at,
     )
@@ -180,13 +181,18 @@ def bad_data(state: FleetState, source: Robot | LinkState) -> Fact | None:
     fact = absence(state, source) if isinstance(source, Robot) else None
     if fact is not None and fact.kind is BAD_DATA:
         return fact
-    text = f"{BAD_DATA.word} x{source.faults}: {source.last_fault}"
+    text = Message(
+        "{word} x{faults}: {last_fault}",
+        word=BAD_DATA.word,
+        faults=source.faults,
+        last_fault=source.last_fault,
+    )
     return Fact(BAD_DATA, source.name, text, Priority.LOW, source.fault_at, short=bad_text(source))
 
 
-def bad_text(source: Robot | LinkState) -> str:
+def bad_text(source: Robot | LinkState) -> Message:
     """Return the short text of bad data."""
-    return f"{BAD_DATA.word} x{source.faults}"
+    return Message("{word} x{faults}", word=BAD_DATA.word, faults=source.faults)
 
 
 def _old_stamps(state: FleetState, robot: Robot) -> Fact | None:
@@ -205,7 +211,7 @@ def _old_stamps(state: FleetState, robot: Robot) -> Fact | None:
             priority,
             robot.clock.at,
             short=UNDATED_POSE.word,
-            evidence="one pose received: it may be an old one",
+            evidence=Message("one pose received: it may be an old one"),
             question=Message("the one pose of {name} is of unknown age", name=robot.name),
             seen=robot.clock.at,
         )
@@ -222,7 +228,7 @@ def _old_stamps(state: FleetState, robot: Robot) -> Fact | None:
         priority,
         robot.pose.at,
         short=Message("pose {age} old", age=age(lag)),
-        evidence=Message("{what}: their time stamps lag", what=Message(what)),
+        evidence=Message("{what}: their time stamps lag", what=what),
         seen=robot.pose.at,
         is_certain=not is_late(state.links[robot.link]),
     )
@@ -242,24 +248,22 @@ def adrift(state: FleetState, robot: Robot) -> Fact | None:
     if pose is None or located is None or located_at is None or not state.is_fresh(robot, "pose"):
         return None
     metres = math.dist((located.x, located.y), (pose.value.x, pose.value.y))
-    how: str = Message("{metres} m by its wheels alone", metres=f"{metres:.0f}")
+    how: Message = Message("{metres} m by its wheels alone", metres=f"{metres:.0f}")
     since = robot.adrift_at
     if since is None and _repeats_feedback(state, robot):
-        how, since = "its feedback repeats the last pose", located_at
+        how, since = Message("its feedback repeats the last pose"), located_at
     if since is None or state.now - since < ADRIFT_FOR:
         return None
     silence = age(state.now - located_at)
     return Fact(
         ADRIFT,
         robot.name,
-        Message("pose estimated, localisation silent for {silence}", silence=Message(silence)),
+        Message("pose estimated, localisation silent for {silence}", silence=silence),
         Priority.MEDIUM,
         since,
         remedy=bridge_remedy(state, robot, robot.kind.pose_topic),
-        short="pose estimated",
-        evidence=Message(
-            "localisation silent for {silence}: {how}", silence=Message(silence), how=Message(how)
-        ),
+        short=Message("pose estimated"),
+        evidence=Message("localisation silent for {silence}: {how}", silence=silence, how=how),
         seen=pose.at,
     )
 
@@ -289,7 +293,7 @@ def drives_on(state: FleetState, robot: Robot) -> Fact | None:
         last.at,
         evidence=Message(
             "{mission} failed {age} ago, and its pose still changes",
-            mission=Message(mission),
+            mission=mission,
             age=age(since_end),
         ),
         seen=standing.at,

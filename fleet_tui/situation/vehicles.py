@@ -7,10 +7,10 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.model.vehicles.vehicle import HIGH, MEDIUM, VehicleError
 from fleet_tui.situation.fact import Fact, FactKind
 from fleet_tui.situation.facts import BY_HAND, CLEARANCE, E_STOP, FAULT, MAP_DISABLED, UNLOCALISED
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import Message, counted, joined, verbatim
 from fleet_tui.text.sanitize import sanitize
 
-REPORTED = "reported by the vehicle"
+REPORTED = Message("reported by the vehicle")
 
 
 def emergency_stop(robot: Robot) -> Fact | None:
@@ -27,12 +27,13 @@ def fault(robot: Robot) -> Fact | None:
         return None
     first, *more = sorted(robot.vehicle.value.errors, key=lambda error: _priority_of(error).value)
     told = ": ".join(part for part in (first.type, first.text) if part)
-    level = f"{first.level.lower()} " if first.level else ""
-    text = f"{level}{told}" + (f", and {len(more)} more" if more else "")
+    text = verbatim(f"{first.level.lower()} {told}" if first.level else told)
+    if more:
+        text = Message("{text}, and {count} more", text=text, count=len(more))
     fact = _reported(robot, FAULT, text, _priority_of(first))
     return fact._replace(
-        remedy=sanitize(first.hint),
-        short=first.type,
+        remedy=sanitize(verbatim(first.hint)),
+        short=verbatim(first.type),
         evidence=text,
         is_certain=first.level in HIGH,
         parts=frozenset(error.type for error in (first, *more)),
@@ -50,8 +51,8 @@ def by_hand(robot: Robot) -> Fact | None:
     """Find a mode in which no master control drives it."""
     if robot.vehicle is None or robot.vehicle.value.takes_orders:
         return None
-    text = Message("mode {mode_text}", mode_text=Message(robot.vehicle.value.mode_text))
-    return _reported(robot, BY_HAND, text, Priority.LOW)._replace(evidence="it takes no orders")
+    text = Message("mode {mode_text}", mode_text=robot.vehicle.value.mode_text)
+    return _reported(robot, BY_HAND, text, Priority.LOW)._replace(evidence=Message("it takes no orders"))
 
 
 def clearance(robot: Robot) -> Fact | None:
@@ -59,16 +60,20 @@ def clearance(robot: Robot) -> Fact | None:
     if robot.vehicle is None or not robot.vehicle.value.waits:
         return None
     left = robot.vehicle.value.horizon
-    asked = ", ".join(robot.vehicle.value.asks)
+    asked = joined(", ", robot.vehicle.value.asks)
     fact = _reported(robot, CLEARANCE, CLEARANCE.word, Priority.LOW)
     if asked:
-        remedy = "Look at the master control: it grants what the vehicle asks for"
+        remedy = Message("Look at the master control: it grants what the vehicle asks for")
         return fact._replace(
-            evidence=Message("it asks its master control for {asked}", asked=Message(asked)), remedy=remedy
+            evidence=Message("it asks its master control for {asked}", asked=asked), remedy=remedy
         )
     if not left:
-        return fact._replace(evidence="it asks its master control for more of its route")
-    evidence = f"at the end of what is released, {left} node{'s' * (left != 1)} of its order not released"
+        return fact._replace(evidence=Message("it asks its master control for more of its route"))
+    evidence = counted(
+        "at the end of what is released, {count} node of its order not released",
+        "at the end of what is released, {count} nodes of its order not released",
+        left,
+    )
     return fact._replace(evidence=evidence)
 
 
@@ -78,11 +83,15 @@ def map_disabled(robot: Robot) -> Fact | None:
         return None
     used = ", ".join(robot.vehicle.value.maps)
     text = Message("map {map_off} is not enabled", map_off=robot.vehicle.value.map_off)
-    evidence = Message("the vehicle uses {used}", used=used) if used else "the vehicle uses none of its maps"
+    evidence = (
+        Message("the vehicle uses {used}", used=used)
+        if used
+        else Message("the vehicle uses none of its maps")
+    )
     return _reported(robot, MAP_DISABLED, text, Priority.LOW)._replace(evidence=evidence, is_certain=False)
 
 
-def _reported(robot: Robot, kind: FactKind, text: str, priority: Priority) -> Fact:
+def _reported(robot: Robot, kind: FactKind, text: Message, priority: Priority) -> Fact:
     assert robot.vehicle is not None
     at = robot.vehicle.at
     return Fact(kind, robot.name, text, priority, at, short=text, evidence=REPORTED, seen=at)

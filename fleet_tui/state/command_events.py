@@ -28,6 +28,7 @@ from fleet_tui.rules.commands.local_queue import next_id
 from fleet_tui.rules.commands.masters import asked_about
 from fleet_tui.rules.commands.queue_moves import moved
 from fleet_tui.state.goal_reports import know_stops
+from fleet_tui.text.language import EMPTY, verbatim
 from fleet_tui.text.limits import truncate
 
 
@@ -43,8 +44,8 @@ def take_dispatch(state: FleetState, event: DispatchFact) -> FleetState:
 def _advanced(record: CommandRecord, event: DispatchFact) -> CommandRecord:
     if isinstance(event, DispatchFailed):
         stage = Stage.CANCELLED if event.is_cancelled else Stage.REFUSED
-        return record.advanced(Step(stage, event.at, truncate(event.reason)))
-    record = record.advanced(Step(event.stage, event.at, truncate(event.detail)))
+        return record.advanced(Step(stage, event.at, verbatim(truncate(event.reason))))
+    record = record.advanced(Step(event.stage, event.at, verbatim(truncate(event.detail))))
     # From now on the task is known by its own id: not every version passes on the name of its requester.
     return (
         replace(record, name=event.task) if event.task and isinstance(record.command, PlaceOrder) else record
@@ -101,7 +102,7 @@ def _after_step(state: FleetState, record: CommandRecord) -> FleetState:
                 paused_by_us=False,
                 paused_at=None,
                 locked_by_us=False,
-                held="",
+                held=EMPTY,
                 released_at=state.now,
                 accepted=asked_about(state, robot),
             )
@@ -121,7 +122,9 @@ def advance_command(state: FleetState, event: events.CommandAdvanced) -> FleetSt
     found = next((record for record in state.commands if record.id == event.id), None)
     if found is None or (event.stage is Stage.WAITING and not isinstance(found.command, Queued)):
         return state
-    record = found.advanced(Step(_late_or(event.stage, state, found), event.at, truncate(event.detail)))
+    record = found.advanced(
+        Step(_late_or(event.stage, state, found), event.at, verbatim(truncate(event.detail)))
+    )
     if record is found:
         return state
     robot = state.robots.get(record.command.robot)
@@ -147,7 +150,7 @@ def take_answer(
     found = next((record for record in state.commands if record.id == event.id), None)
     if found is None:
         return state
-    answer = Step(event.stage, event.at, truncate(event.detail))
+    answer = Step(event.stage, event.at, verbatim(truncate(event.detail)))
     return _with_record(state, replace(found, answer=answer))
 
 

@@ -12,6 +12,7 @@ from fleet_tui.model.order import Stop
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.commands.goals import active, queue_of, with_reported, with_stops, without
 from fleet_tui.state.reports import apply_report
+from fleet_tui.text.language import EMPTY, Message
 
 JUST_BEGUN = 1.0
 """Seconds within which a new goal is listed and its target is reported, in either order."""
@@ -72,7 +73,7 @@ def _led_to(robot: Robot, pose: Pose, since: float) -> Robot:
     return know_stops(robot, current.id, (_stop_at(robot, pose),))
 
 
-def with_queue(robot: Robot, at: float, fault: str = "") -> Robot:
+def with_queue(robot: Robot, at: float, fault: Message = EMPTY) -> Robot:
     """Compare the goals with the earlier ones like a queue; the message is latched, so no sign of life."""
     offset, last = robot.clock.offset if robot.clock else None, robot.orders.last_serial
     queue = queue_of(robot.goals, at, offset, last)

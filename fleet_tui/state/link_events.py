@@ -7,6 +7,7 @@ from msgspec.structs import replace
 from fleet_tui.model import events
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import LinkState, Phase
+from fleet_tui.text.language import EMPTY
 from fleet_tui.text.limits import truncate
 
 LinkEvent = (
@@ -37,7 +38,7 @@ def _change_link(state: FleetState, event: events.LinkChanged) -> FleetState:
         replace(
             link,
             phase=event.phase,
-            reason=truncate(event.reason) or (link.reason if event.phase is not Phase.UP else ""),
+            reason=truncate(event.reason) or (link.reason if event.phase is not Phase.UP else EMPTY),
             next_try=event.next_try,
             since=link.since if same_side and link.since else event.at,
             outage=event.at - link.since if returns else link.outage if same_side else 0.0,

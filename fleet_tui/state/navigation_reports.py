@@ -12,6 +12,7 @@ from fleet_tui.model.set_up.driving import Speeds
 from fleet_tui.rules.movement import strayed
 from fleet_tui.state.goal_reports import apply_goals, with_sign_of_life
 from fleet_tui.state.reports import SiteClock, apply_report, clocked, relocation
+from fleet_tui.text.language import verbatim
 from fleet_tui.text.limits import LONGEST_NAME, truncate
 
 LINES_KEPT = 100
@@ -84,7 +85,7 @@ def _take_error(robot: Robot, event: navigation_events.ErrorReported) -> Robot:
         at = min(at, event.stamp + clock.offset)
     if event.is_diagnosed:
         return replace(robot, diagnosed=Reading(truncate(event.text), at))
-    line = Logged(truncate(event.text), at, event.is_warning)
+    line = Logged(verbatim(truncate(event.text)), at, event.is_warning)
     cause = cause_of(line.text)
     if any(at - one.at < REPEATED_WITHIN and cause_of(one.text) == cause for one in robot.logged):
         return robot

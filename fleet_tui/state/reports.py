@@ -14,6 +14,7 @@ from fleet_tui.model.robot import Reading, Robot, RobotMap, StampClock, with_fau
 from fleet_tui.rules.localisation.jumps import pose_jump
 from fleet_tui.rules.movement import JUMPS_WITHIN, jump, moved, progressed
 from fleet_tui.rules.movement import pace as new_pace
+from fleet_tui.text.language import Message
 from fleet_tui.text.limits import LONGEST_NAME, MOST_ORDERS, truncate
 
 # A robot whose clock runs slower than ours by this share must not age into "offline" over days.
@@ -192,13 +193,13 @@ def _take_pose(robot: Robot, event: events.PoseReported, site: SiteClock | None)
     return robot if traces is robot.traces else replace(robot, traces=traces)
 
 
-def lost_vertices(robot: Robot, queue: OrderQueue) -> list[str]:
+def lost_vertices(robot: Robot, queue: OrderQueue) -> list[Message]:
     """Return one line for each order of the queue that names a vertex missing from every graph of the
     robot. The nodes of a vehicle are its master control's: its graph need not be ours."""
     if robot.vehicle is not None or not robot.knows_all_graphs():
         return []
     return [
-        f"order {order.id} names unknown vertex {vertex}"
+        Message("order {id} names unknown vertex {vertex}", id=order.id, vertex=vertex)
         for order in queue.orders
         for vertex in vertices_of(order.stops)
         if robot.name_of(vertex) is None

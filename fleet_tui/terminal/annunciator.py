@@ -6,6 +6,7 @@ from collections.abc import Callable
 from fleet_tui.config.schema import Alarms
 from fleet_tui.model.alarm import Alarm, AlarmStage, Key
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.text.language import Message
 from fleet_tui.text.sanitize import sanitize
 
 QUIET = 5.0
@@ -56,7 +57,7 @@ class Annunciator:
         notified = [alarm for alarm in alarms if _priority(alarm) in self._notify]
         sequence = "\x07" if rings else ""
         if notified:
-            more = f" and {len(notified) - 1} more" if notified[1:] else ""
+            more = Message(" and {notified} more", notified=len(notified) - 1) if notified[1:] else ""
             sequence += notification(
                 f"{notified[0].condition.source} {notified[0].text}{more}", self._inside_tmux
             )

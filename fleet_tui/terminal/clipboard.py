@@ -3,7 +3,7 @@
 import base64
 import os
 
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message
 
 
 def clipboard(text: str) -> str:
@@ -11,7 +11,7 @@ def clipboard(text: str) -> str:
     return f"\x1b]52;c;{base64.b64encode(text.encode(errors='replace')).decode()}\x07"
 
 
-def copied_text(what: str) -> str:
+def copied_text(what: str) -> Message:
     """Return the notice of a copy, with what tmux needs for it."""
-    tmux = " (tmux needs: set -s set-clipboard on)" if "TMUX" in os.environ else ""
-    return Message("copied to the clipboard{tmux}: {what}", tmux=Message(tmux), what=Message(what))
+    tmux = Message(" (tmux needs: set -s set-clipboard on)") if "TMUX" in os.environ else EMPTY
+    return Message("copied to the clipboard{tmux}: {what}", tmux=tmux, what=what)

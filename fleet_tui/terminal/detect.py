@@ -6,6 +6,7 @@ import shutil
 import sys
 
 from fleet_tui.errors import FleetError
+from fleet_tui.text.language import Message
 from fleet_tui.view.map.drawing import Drawing
 
 COLOURLESS = ("dumb", "unknown", "vt100", "vt102", "vt220")
@@ -59,4 +60,6 @@ def need_terminal() -> None:
     """Raise FleetError without a terminal."""
     streams = (sys.stdin, sys.stdout, sys.stderr)
     if IN_BROWSER not in os.environ and not all(stream.isatty() for stream in streams):
-        raise FleetError("the console needs a terminal for input, output and errors: over SSH use ssh -t")
+        raise FleetError(
+            Message("the console needs a terminal for input, output and errors: over SSH use ssh -t")
+        )

@@ -4,6 +4,7 @@ import logging
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from fleet_tui.text.language import Message
 from fleet_tui.text.limits import truncate
 from fleet_tui.text.sanitize import sanitize
 
@@ -52,4 +53,4 @@ class FaultGuard:
     def _report(self, problem: BaseException) -> None:
         # The text of an exception may contain anything, or be empty.
         message = sanitize(truncate(str(problem))) or type(problem).__name__
-        self._note(f"internal error: {message} (see the log file)")
+        self._note(Message("internal error: {message} (see the log file)", message=message))

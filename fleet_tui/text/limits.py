@@ -1,8 +1,9 @@
 """Limits on input from outside: the rest is cut, visibly. See docs/limits.md."""
 
 from collections.abc import Sequence
+from typing import overload
 
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message
 
 LONGEST_NAME = 200
 """Maximum characters of a label, a status or a frame id."""
@@ -20,22 +21,23 @@ MOST_FRAMES = 1000
 """Maximum static frames of one message, and of one robot."""
 
 
+@overload
+def truncate(text: Message, longest: int = LONGEST_WORDS) -> Message: ...
+@overload
+def truncate(text: str, longest: int = LONGEST_WORDS) -> str: ...
 def truncate(text: str, longest: int = LONGEST_WORDS) -> str:
     """Return `text`, or its beginning with its total length."""
-    return text if len(text) <= longest else f"{text[:longest]}… ({len(text):,} characters)"
+    if len(text) <= longest:
+        return text
+    return Message("{text}… ({count} characters)", text=text[:longest], count=f"{len(text):,}")
 
 
-def too_many(count: int, most: int, what: str) -> str:
+def too_many(count: int, most: int, what: Message) -> Message:
     """Return the message on a list that is too long, empty if it isn't."""
-    return (
-        Message(
-            "{count} {what}: only the first {most} used",
-            count=f"{count:,}",
-            what=Message(what),
-            most=f"{most:,}",
-        )
-        if count > most
-        else ""
+    if count <= most:
+        return EMPTY
+    return Message(
+        "{count} {what}: only the first {most} used", count=f"{count:,}", what=what, most=f"{most:,}"
     )
 
 

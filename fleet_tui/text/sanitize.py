@@ -4,6 +4,7 @@ import unicodedata
 from collections.abc import Iterator
 from functools import lru_cache
 from textwrap import wrap
+from typing import overload
 
 from fleet_tui.text.language import Message
 
@@ -24,6 +25,10 @@ def _safe(letter: str) -> str:
     return " " if letter.isspace() else letter
 
 
+@overload
+def sanitize(text: Message) -> Message: ...
+@overload
+def sanitize(text: str) -> str: ...
 def sanitize(text: str) -> str:
     """Return `text` without anything that moves the cursor, hides, or turns the reading direction.
 
@@ -32,10 +37,7 @@ def sanitize(text: str) -> str:
     if text.isascii() and text.isprintable():
         return text
     if isinstance(text, Message):
-        values = {
-            name: sanitize(value) if isinstance(value, str) else value for name, value in text.values.items()
-        }
-        return Message(_made_visible(text.id), **values)
+        return text.changed(sanitize)
     return _made_visible(text)
 
 

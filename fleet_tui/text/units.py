@@ -28,10 +28,10 @@ def size_text(count: float) -> str:
     return f"{count / 1e3:.1f} kB" if count < 1e6 else f"{count / 1e6:.1f} MB"
 
 
-def ago(at: float | None, now: float) -> str:
+def ago(at: float | None, now: float) -> Message:
     """Return the age of an event, `never` if there was none."""
     if at is None:
-        return "never"
+        return Message("never")
     return Message("{duration} ago", duration=duration(now - at))
 
 

@@ -7,6 +7,7 @@ from fleet_tui.config.access import unsafe
 from fleet_tui.config.schema import Link
 from fleet_tui.errors import LinkError
 from fleet_tui.storage.handles import open_file
+from fleet_tui.text.language import Message
 
 
 def tls_context(bridge: Link) -> ssl.SSLContext | None:
@@ -38,12 +39,18 @@ def _check_files(bridge: Link) -> None:
                 with open_file(Path(name)) as opened:
                     doubt = unsafe(opened.fileno(), key, Path(name))
             except FileNotFoundError:
-                raise LinkError(f"{key}: no such file: {Path(name).name}") from None
+                raise LinkError(
+                    Message("{key}: no such file: {name}", key=key, name=Path(name).name)
+                ) from None
             except (OSError, ValueError) as problem:
                 reason = getattr(problem, "strerror", "") or str(problem)
-                raise LinkError(f"{key}: {Path(name).name} unreadable: {reason}") from None
+                raise LinkError(
+                    Message(
+                        "{key}: {name} unreadable: {reason}", key=key, name=Path(name).name, reason=reason
+                    )
+                ) from None
             if doubt:
-                raise LinkError(f"{key}: {doubt}")
+                raise LinkError(Message("{key}: {doubt}", key=key, doubt=doubt))
 
 
 def _check_certificate(key: str, name: str) -> None:
@@ -54,14 +61,29 @@ def _check_certificate(key: str, name: str) -> None:
         ssl.SSLContext(ssl.PROTOCOL_TLS_CLIENT).load_verify_locations(name)
     except (OSError, ValueError):
         file = Path(name).name
-        raise LinkError(f"{key}: no PEM certificate in {file}: convert it, or correct {key}") from None
+        raise LinkError(
+            Message(
+                "{key}: no PEM certificate in {file}: convert it, or correct {key2}",
+                key=key,
+                file=file,
+                key2=key,
+            )
+        ) from None
 
 
-def _key_problem(bridge: Link, problem: Exception) -> str:
+def _key_problem(bridge: Link, problem: Exception) -> Message:
     """Return the reason and the remedy for a private key that cannot be used."""
     certificate, key = Path(bridge.client_cert).name, Path(bridge.client_key).name
     if isinstance(problem, ssl.SSLError) and problem.reason == "KEY_VALUES_MISMATCH":
-        return f"client_key: {key or 'the key'} does not match {certificate}: set the key of that certificate"
+        return Message(
+            "client_key: {key} does not match {certificate}: set the key of that certificate",
+            key=key or "the key",
+            certificate=certificate,
+        )
     if not key:
-        return f"client_key: no usable PEM key in {certificate}: set client_key"
-    return f"client_key: no usable PEM key in {key}: remove its passphrase, or correct client_key"
+        return Message(
+            "client_key: no usable PEM key in {certificate}: set client_key", certificate=certificate
+        )
+    return Message(
+        "client_key: no usable PEM key in {key}: remove its passphrase, or correct client_key", key=key
+    )

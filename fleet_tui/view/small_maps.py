@@ -6,7 +6,7 @@ from dataclasses import replace
 from msgspec.structs import replace as with_floor
 
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import counted, tr, translate
 from fleet_tui.text.sanitize import cell_width
 from fleet_tui.view.layout import USUAL_SHAPE
 from fleet_tui.view.map.cells import Cells
@@ -34,7 +34,7 @@ def _robots(scene: Scene, width: int) -> str:
     """Return the names of the robots on a floor, their number if that is too long for a caption."""
     names, count = ", ".join(robot.name for robot in scene.robots), len(scene.robots)
     if cell_width(names) > width - cell_width(scene.floor) - CAPTION_GAPS:
-        return tr("{count} robot" if count == 1 else "{count} robots", count=count)
+        return translate(counted("{count} robot", "{count} robots", count))
     return names or tr("no robot")
 
 

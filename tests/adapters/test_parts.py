@@ -4,6 +4,7 @@ from typing import Any
 
 from fleet_tui.adapters.parts import first_orders, read_all
 from fleet_tui.errors import WireError
+from fleet_tui.text.language import Message
 from fleet_tui.text.limits import MOST_ORDERS
 
 
@@ -15,13 +16,13 @@ def positive(part: Any) -> int:
 
 def test_good_parts_are_kept_and_bad_ones_named_by_their_place() -> None:
     faults = list[str]()
-    assert read_all(positive, [1, -2, 3, 0], "orders", 10, faults) == [1, 3]
+    assert read_all(positive, [1, -2, 3, 0], Message("orders"), 10, faults) == [1, 3]
     assert faults == ["orders[1]: -2 is not positive", "orders[3]: 0 is not positive"]
 
 
 def test_no_more_are_read_than_are_taken() -> None:
     faults = list[str]()
-    assert read_all(positive, [1, 2, 3, -4], "orders", 2, faults) == [1, 2]
+    assert read_all(positive, [1, 2, 3, -4], Message("orders"), 2, faults) == [1, 2]
     assert faults == ["4 orders: only the first 2 used"]
 
 

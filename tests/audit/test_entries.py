@@ -25,6 +25,7 @@ from fleet_tui.model.desk.events import AlarmAcknowledged
 from fleet_tui.model.events import CommandAdvanced
 from fleet_tui.model.order import at_vertices
 from fleet_tui.state.store import Store
+from fleet_tui.text.language import Message
 from tests.support.fleets import (
     F0,
     R0,
@@ -141,7 +142,7 @@ def test_no_secret_of_an_address_is_kept(tmp_path: Path, url: str, kept: str) ->
 def test_what_was_asked_of_many_robots_is_summed_up_once_it_is_decided() -> None:
     asked = [*commanded(1, PauseRobot(R0), Stage.SENT), *commanded(2, PauseRobot("robot_1"), Stage.SENT)]
     states = [fleet(2)]
-    refusals = [CommandAdvanced(id_, Stage.REFUSED, T0 + 1, "busy") for id_ in (1, 2)]
+    refusals = [CommandAdvanced(id_, Stage.REFUSED, T0 + 1, Message("busy")) for id_ in (1, 2)]
     for fact in (*asked, *refusals):
         states.append(reduced(states[-1], fact))
     found = [

@@ -22,6 +22,7 @@ from fleet_tui.model.events import CommandAdvanced, CommandIssued
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.state.store import Store
 from fleet_tui.storage.line_file import LineFile
+from fleet_tui.text.language import Message
 from tests.support.fleets import (
     F0,
     R0,
@@ -155,7 +156,7 @@ def test_a_stage_that_only_the_state_has_at_the_end_is_written(tmp_path: Path) -
     store.watchers.append(audit.watch)
     give(store, 1, ORDER, Stage.SENT)
     store.watchers.clear()
-    store.apply(CommandAdvanced(1, Stage.REFUSED, store.state.now, "no"))
+    store.apply(CommandAdvanced(1, Stage.REFUSED, store.state.now, Message("no")))
     assert audit.close(store.state) == 0
     assert [one.change for one in read(tmp_path)][-2:] == ["refused", "closed"]
 
@@ -204,7 +205,7 @@ def test_a_slow_disk_holds_nobody_for_long(
     monkeypatch.setattr(disk, "append", append)
     audit, quiet = Audit(disk, ANA), known_fleet()
     for n in range(100):
-        condition = Condition(R0, f"kind {n}", Priority.LOW, "text", "over")
+        condition = Condition(R0, f"kind {n}", Priority.LOW, Message("text"), Message("over"))
         audit.watch(quiet, replace(quiet, alarms=(Alarm(condition, WALL, WALL, T0),)))
     assert len(lines(disk)) < 100  # else it would have waited for each
     becomes(lambda: len(lines(disk)) == 100)

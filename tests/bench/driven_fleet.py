@@ -12,6 +12,7 @@ from fleet_tui.model.occupancy import grid_from_ros
 from fleet_tui.simulator.floorplan import HEIGHT, ORIGIN, RESOLUTION, WIDTH
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.state.store import Store
+from fleet_tui.text.language import Message
 from tests.support.fleets import order, order_queue
 from tests.support.watched_store import config_of
 
@@ -33,7 +34,7 @@ class DrivenFleet:
     def _start(self) -> Iterator[events.Event]:
         now = time.monotonic()
         yield events.LinkChanged("rosbridge", now, Phase.UP)
-        yield events.CommandPathChanged("rosbridge", CommandPath.ALIVE, "")
+        yield events.CommandPathChanged("rosbridge", CommandPath.ALIVE, Message(""))
         floor = self._world.building.floors[0]
         labels = {str(id_): label for id_, label in floor.labels.items()}
         vertices = {str(one.id): Vertex(str(one.id), one.x, one.y) for one in floor.graph.vertices.values()}

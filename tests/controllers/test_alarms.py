@@ -10,6 +10,7 @@ from fleet_tui.model.desk.events import AlarmAcknowledged, AlarmShelved
 from fleet_tui.model.events import GraphReceived
 from fleet_tui.model.graph import Role, RouteGraph, Vertex
 from fleet_tui.rules.alarms.classes import CLASSES
+from fleet_tui.text.language import Message
 from fleet_tui.widgets.rows_pane import RowsPane
 from tests.support.desk import Desk
 from tests.support.fleets import F0, T0, battery, fleet, link_up, pose, reduced, tick
@@ -33,9 +34,9 @@ def responses(cleared_at: Callable[[], float] = lambda: -math.inf) -> tuple[Desk
             desk.navigation,
             pane=pane,
             open_menu=desk.open_menu,
-            why=lambda: desk.notices.say("why"),
-            robot_menu=lambda robot: desk.notices.say(f"menu of {robot}"),
-            charge=lambda robot: desk.notices.say(f"{robot} to a charger"),
+            why=lambda: desk.notices.say(Message("why")),
+            robot_menu=lambda robot: desk.notices.say(Message("menu of {robot}", robot=robot)),
+            charge=lambda robot: desk.notices.say(Message("{robot} to a charger", robot=robot)),
             keys=keys,
             clock=lambda _wall: "12:00",
             cleared_at=cleared_at,

@@ -5,6 +5,7 @@ import pytest
 from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, PauseRobot, ResumeRobot
 from fleet_tui.model.problem import Permissions
 from fleet_tui.model.request import Request
+from fleet_tui.text.language import EMPTY, Message
 from tests.support.desk import Desk, ready
 from tests.support.fleets import (
     R0,
@@ -47,7 +48,7 @@ def test_a_read_only_console_sends_nothing(command: Command) -> None:
 
 @pytest.mark.parametrize("command", COMMANDS, ids=NAMES)
 def test_a_recording_takes_nothing(command: Command) -> None:
-    desk = Desk(ready(), refusal="not sent: this is a recording")
+    desk = Desk(ready(), refusal=Message("not sent: this is a recording"))
     desk.do(command)
     assert desk.backend.submitted == []
     assert desk.notices.text == "not sent: this is a recording"
@@ -88,9 +89,9 @@ def test_what_waited_leaves_when_the_link_is_there() -> None:
 def test_a_request_is_prepared_after_the_question_and_not_sent_if_that_fails() -> None:
     desk, done = Desk(ready()), list[str]()
 
-    def prepare() -> str:
+    def prepare() -> Message:
         done.append("prepared")
-        return "not sent: disk full" if len(done) == 1 else ""
+        return Message("not sent: disk full") if len(done) == 1 else EMPTY
 
     desk.dispatch.do(Request((ClearOrders(R0),)), prepare=prepare)
     assert desk.answers and not done
@@ -105,7 +106,7 @@ def test_a_request_is_prepared_after_the_question_and_not_sent_if_that_fails() -
 
 def test_a_request_that_needs_preparing_does_not_wait_for_the_link() -> None:
     desk = Desk(fleet())
-    desk.dispatch.do(Request((ClearOrders(R0),)), prepare=lambda: "")
+    desk.dispatch.do(Request((ClearOrders(R0),)), prepare=lambda: EMPTY)
     assert desk.notices.text.startswith("not sent: ") and not desk.answers
 
 
@@ -117,6 +118,7 @@ def test_what_nobody_can_be_asked_about_is_sent_only_without_objections() -> Non
     desk.dispatch.permissions = DISARMED
     assert desk.dispatch.give_unasked(Request((ORDER,)))[0].check == "not armed"
     assert (
-        Desk(ready(), refusal="a recording").dispatch.give_unasked(Request((ORDER,)))[0].text == "a recording"
+        Desk(ready(), refusal=Message("a recording")).dispatch.give_unasked(Request((ORDER,)))[0].text
+        == "a recording"
     )
     assert desk.backend.submitted == [ORDER] and desk.answers == []

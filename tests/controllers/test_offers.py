@@ -10,6 +10,7 @@ from fleet_tui.controllers.session import ConsoleSession
 from fleet_tui.controllers.typed import Typed
 from fleet_tui.keys import Key, Pane
 from fleet_tui.model.problem import Permissions, Right
+from fleet_tui.text.language import Message
 from tests.support.desk import Desk, ready
 from tests.support.fleets import labels, reduced
 
@@ -26,7 +27,11 @@ class Answers:
         return key.pane in self.panes
 
     def typed(self, line: str) -> Typed | None:
-        return Typed(problem=f"a {self._prefix}") if line.startswith(self._prefix) else None
+        return (
+            Typed(problem=Message("a {prefix}", prefix=self._prefix))
+            if line.startswith(self._prefix)
+            else None
+        )
 
 
 class Palette:

@@ -10,6 +10,7 @@ from fleet_tui.keys import BY_ID, Pane
 from fleet_tui.model.events import TimePassed
 from fleet_tui.recording.indexing import open_recording
 from fleet_tui.recording.play.player import Player
+from fleet_tui.text.language import Message
 from fleet_tui.view.roles import StyleRole
 from tests.support.desk import Desk
 from tests.support.fleets import R0, T0, WALL
@@ -49,7 +50,7 @@ def test_the_headline_begins_with_the_recorded_time(played: Played) -> None:
 
 def test_a_jump_forgets_the_notice_once_there_is_a_map(played: Played) -> None:
     played.player.enter(T0 + 50)
-    played.notices.note("old")
+    played.notices.note(Message("old"))
     played.has_map = False
     played.replay.headline(played.store.state, R0, 120)
     assert played.notices.text == "old" and played.jumps == 0
@@ -80,7 +81,7 @@ def test_a_time_is_gone_to_when_it_is_chosen(played: Played, monkeypatch: pytest
 
 
 def test_actions_of_the_player_may_say_why_not(played: Played) -> None:
-    played.replay.play(lambda _player: "no mark there")
+    played.replay.play(lambda _player: Message("no mark there"))
     assert played.notices.text == "no mark there"
     actions: list[Callable[[], object]] = []
     played.replay.play(lambda _player: actions.append(played.player.toggle))

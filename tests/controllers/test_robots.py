@@ -8,6 +8,7 @@ from fleet_tui.model.events import CommandAdvanced, CommandIssued, CommandPathCh
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath
 from fleet_tui.model.problem import Permissions, Right
+from fleet_tui.text.language import Message
 from fleet_tui.widgets.rows_pane import RowsPane
 from tests.support.desk import Desk, ready
 from tests.support.fleets import LINK, R0, T0, battery, fleet, link_up, reduced, tick
@@ -113,7 +114,7 @@ def test_the_newest_fault_stands_above_the_menu() -> None:
     from fleet_tui.model.events import MessageRejected
     from tests.support.fleets import reduced
 
-    desk, _, robots = requests(reduced(ready(), MessageRejected(R0, "no \x1b pose")))
+    desk, _, robots = requests(reduced(ready(), MessageRejected(R0, Message("no  pose"))))
     robots.menu(R0)
     assert desk.menus[0].title == f"{R0}: no ␛ pose"
 

@@ -14,6 +14,7 @@ from fleet_tui.discovery import awaiting
 from fleet_tui.discovery.awaiting import Discovering
 from fleet_tui.discovery.site import DiscoveredSite
 from fleet_tui.errors import LinkError
+from fleet_tui.text.language import Message
 
 SITE = DiscoveredSite(Link("ws://a:9090"), {}, {}, 7)
 
@@ -68,7 +69,7 @@ def test_progress_is_shown_on_a_terminal_and_erased(
 
 
 def test_an_error_is_that_of_the_discovery(begun: Begun, capsys: pytest.CaptureFixture[str]) -> None:
-    begun.future.set_exception(LinkError("connection refused"))
+    begun.future.set_exception(LinkError(Message("connection refused")))
     with pytest.raises(LinkError, match="connection refused"):
         Discovering(Link("ws://a:9090")).result()
     assert capsys.readouterr().err == ""

@@ -10,6 +10,7 @@ from fleet_tui.discovery.facts import TopicFacts
 from fleet_tui.discovery.finding import Verdict
 from fleet_tui.doctor.cameras import judged_camera
 from fleet_tui.model.set_up.streams import CameraImage
+from fleet_tui.text.language import Message
 
 FEED = Feed("camera", ("robot_0",), "", "/c", "sensor_msgs/CompressedImage", 500, silent=True)
 
@@ -34,7 +35,11 @@ def test_a_picture_is_told_with_its_size_and_rate() -> None:
         (TopicFacts(FEED, True, 2.0), Verdict.WARN, "no picture on /c in 2.0 s"),
         (TopicFacts(FEED, True, 2.0, complaint="no type"), Verdict.WARN, "rosbridge: no type"),
         (TopicFacts(FEED, True, 2.0, 1, 1, problem="data: 7"), Verdict.WARN, "unreadable: data: 7"),
-        (TopicFacts(FEED, True, 2.0, 1, picture=CameraImage(b"", None, "raw")), Verdict.WARN, "picture: raw"),
+        (
+            TopicFacts(FEED, True, 2.0, 1, picture=CameraImage(b"", None, Message("raw"))),
+            Verdict.WARN,
+            "picture: raw",
+        ),
         (TopicFacts(FEED, True, 2.0, 1, picture=CameraImage(jpeg()[:200])), Verdict.WARN, "no picture: "),
     ],
 )

@@ -14,6 +14,7 @@ from fleet_tui.model.events import Event, FloorMapLoaded, FrameReceived
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.navigation_events import LocalisationReported
 from fleet_tui.model.occupancy import FREE, OCCUPIED, UNKNOWN, build_grid
+from fleet_tui.text.language import Message
 from tests.support.fleets import F0, R0, T0, graph, pose
 from tests.support.watched_store import config_of
 
@@ -40,7 +41,7 @@ def test_a_map_that_fits_what_the_robots_say_is_well() -> None:
 
 
 def test_a_map_that_is_missing_or_unreadable_is_named() -> None:
-    bad = judged(FloorMapLoaded(F0, None, "map hall.yaml: no image"), graph(1))
+    bad = judged(FloorMapLoaded(F0, None, Message("map hall.yaml: no image")), graph(1))
     assert bad["map"].verdict is Verdict.FAIL and bad["map"].measured == "map hall.yaml: no image"
     none = judged(None, graph(1))
     assert (none["map"].verdict, none["vertices"].verdict) == (Verdict.WARN, Verdict.SKIPPED)

@@ -17,6 +17,7 @@ from fleet_tui.errors import LinkError
 from fleet_tui.simulator.nav2.fleet import Nav2Fleet
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
+from fleet_tui.text.language import Message
 from fleet_tui.transports.loop import network_loop
 from tests.support.asked_rosapi import AskedRosapi, CountedQuestions
 from tests.support.watched_store import config_of
@@ -33,7 +34,7 @@ class Beating(AskedRosapi):
         self._answers -= 1
         if self._answers < 0:
             self.lost = self._lost
-            raise LinkError("no answer")
+            raise LinkError(Message("no answer"))
         return "service does not exist"
 
 

@@ -22,6 +22,7 @@ from fleet_tui.model.alarm import (
     transitions,
     unshelve,
 )
+from fleet_tui.text.language import Message
 
 KINDS = [(source, kind) for source in ("robot_0", "robot_1") for kind in ("offline", "obstacle")]
 KEY = ("robot_0", "obstacle")
@@ -30,7 +31,9 @@ KEY = ("robot_0", "obstacle")
 def condition(
     source: str = "robot_0", kind: str = "obstacle", text: str = "obstacle 3.2 s", parts: str = ""
 ) -> Condition:
-    return Condition(source, kind, Priority.HIGH, text, "cleared: obstacle", parts=frozenset(parts))
+    return Condition(
+        source, kind, Priority.HIGH, Message(text), Message("cleared: obstacle"), parts=frozenset(parts)
+    )
 
 
 def one(alarms: tuple[Alarm, ...]) -> Alarm:

@@ -3,13 +3,14 @@
 import pytest
 
 from fleet_tui.model.link import CommandPath, LinkState, Phase
+from fleet_tui.text.language import Message
 
 
 @pytest.mark.parametrize(
     ("link", "starting"),
     [
         (LinkState("a", "ws://a"), True),
-        (LinkState("a", "ws://a", reason="nothing listens there"), False),
+        (LinkState("a", "ws://a", reason=Message("nothing listens there")), False),
         (LinkState("a", "ws://a", Phase.WAITING), False),
         (LinkState("a", "ws://a", Phase.UP), True),
         (LinkState("a", "ws://a", Phase.UP, commands_connected=True), False),

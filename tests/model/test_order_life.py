@@ -22,6 +22,7 @@ from fleet_tui.model.order_life import (
     trace_movement,
     trace_queue,
 )
+from fleet_tui.text.language import EMPTY
 
 QUEUED = Order("5", at_vertices("1", "2"), OrderState.QUEUED, "Q", 5)
 DRIVEN = replace(QUEUED, state=OrderState.IN_PROCESS)
@@ -127,6 +128,6 @@ def test_every_listed_end_is_an_end(state: OrderState) -> None:
 
 
 def test_an_id_that_was_used_before_means_its_later_end() -> None:
-    early, late = (GoneOrder(QUEUED, at, Stage.DONE, "") for at in (1.0, 9.0))
+    early, late = (GoneOrder(QUEUED, at, Stage.DONE, EMPTY) for at in (1.0, 9.0))
     assert latest([early, late], "5", 5.0) is late
     assert latest([early, late], "5", 9.5) is None and latest([early], "6", 0.0) is None

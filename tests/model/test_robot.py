@@ -2,6 +2,7 @@
 
 from fleet_tui.model.graph import RouteGraph, Vertex
 from fleet_tui.model.robot import Robot, RobotMap, with_fault
+from fleet_tui.text.language import Message
 
 
 def robot_map(*ids: str, **labels: str) -> RobotMap:
@@ -29,5 +30,5 @@ def test_a_robot_that_never_reported_has_an_empty_queue_and_no_cargo() -> None:
 
 
 def test_bad_data_is_counted_and_the_newest_is_named_shortly() -> None:
-    robot = with_fault(with_fault(Robot("r", 1, "l", {}), "one"), "x" * 10_000, 3)
+    robot = with_fault(with_fault(Robot("r", 1, "l", {}), Message("one")), Message("x" * 10_000), 3)
     assert robot.faults == 4 and len(robot.last_fault) < 600

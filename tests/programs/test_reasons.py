@@ -6,6 +6,7 @@ import pytest
 from fleet_tui.config.programs import ProgramEntry
 from fleet_tui.programs.process import EndedProcess
 from fleet_tui.programs.reasons import failure, has_no_systemd, last_line
+from fleet_tui.text.language import Message
 from tests.support.stand_ins import BRIDGE, REMOTE
 
 
@@ -42,14 +43,14 @@ def test_words_of_a_sites_own_program_are_neither_sshs_nor_systemds(last: str) -
 
 
 def test_a_late_answer_names_its_host() -> None:
-    late = EndedProcess(None, "", "no answer within 8 s", is_late=True)
-    assert failure(REMOTE, late) == "no answer from server within 8 s"
+    late = EndedProcess(None, "", Message("no answer within 8 s"), is_late=True)
+    assert failure(REMOTE, late) == "server: no answer within 8 s"
     assert failure(BRIDGE, late) == "no answer within 8 s"
 
 
 def test_no_systemd_is_told_from_other_failures() -> None:
     assert has_no_systemd(EndedProcess(1, "Failed to connect to bus: No medium found"))
-    assert has_no_systemd(EndedProcess(None, "", "systemctl: not found: install it"))
+    assert has_no_systemd(EndedProcess(None, "", Message("systemctl: not found: install it")))
     assert not has_no_systemd(EndedProcess(1, "Access denied"))
     assert not has_no_systemd(EndedProcess(0, ""))
 

@@ -8,6 +8,7 @@ from fleet_tui.config.programs import ProgramEntry
 from fleet_tui.model.programs.program import ProgramState, ProgramStatus
 from fleet_tui.programs import watch as watching
 from fleet_tui.programs.watch import ProgramWatch
+from fleet_tui.text.language import Message
 from tests.support.polling import until
 from tests.support.stand_ins import with_status
 
@@ -48,5 +49,5 @@ async def test_the_last_known_state_outlives_what_is_unknown(tmp_path: Path) -> 
     watch.put("nav", ProgramStatus(ProgramState.UNKNOWN, 5.0))
     known = watch.rows["nav"].last_known
     assert known is not None and (known.state, known.at) == (ProgramState.RUNNING, 1.0)
-    watch.set_pending("nav", "stop")
+    watch.set_pending("nav", Message("stop"))
     assert watch.rows["nav"].pending == "stop"

@@ -15,6 +15,7 @@ from fleet_tui.recording.indexing import open_recording
 from fleet_tui.recording.part_files import PartLimits
 from fleet_tui.recording.part_writer import PartWriter
 from fleet_tui.recording.records import EventRecord, Keyframe, Lost, Mark, ReceivedFrame, Record, SentFrame
+from fleet_tui.text.language import verbatim
 from tests.support.fleets import LINK, R0, T0, WALL, commanded, fleet, reduced
 from tests.support.watched_store import config_of
 
@@ -74,7 +75,7 @@ def test_a_command_is_marked_at_each_step(writer: PartWriter) -> None:
 
 def test_what_cannot_be_written_costs_no_more_than_itself(writer: PartWriter) -> None:
     for n, text in enumerate(("good", "half \ud800 a pair", "good")):
-        writer.event(T0 + n, MessageRejected(R0, text))
+        writer.event(T0 + n, MessageRejected(R0, verbatim(text)))
     writer.keyframe(T0 + 9, fleet())
     one, other, _, lost = records(writer)
     assert isinstance(one, EventRecord) and isinstance(other, EventRecord) and isinstance(lost, Lost)

@@ -30,6 +30,7 @@ from fleet_tui.recording.taps import Taps
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.state.reducer import apply
 from fleet_tui.state.store import Store
+from fleet_tui.text.language import Message
 from tests.support.fleets import T0, WALL, fleet
 from tests.support.links import finished, ready
 from tests.support.polling import HANGS
@@ -118,7 +119,7 @@ async def test_a_replay_is_at_every_instant_what_the_run_was(server: RosbridgeSe
     link.show_map("robot_0", "floor_0")
     await store.until(lambda state: state.robots["robot_0"].maps["floor_0"].grid)
     await finished(link, store, PauseRobot("robot_0"))
-    link.post(events.FloorMapLoaded("floor_1", None, "no such file"))
+    link.post(events.FloorMapLoaded("floor_1", None, Message("no such file")))
     server.bridge.publish_raw("/robot_0/battery", {"data": 5.0})
     await store.until(lambda state: state.alarms and len(running.paths) > 1)
     later = time.monotonic() + 1.0

@@ -27,6 +27,7 @@ from fleet_tui.recording.records import (
     encode,
     public,
 )
+from fleet_tui.text.language import EMPTY
 from tests.support.any_events import ANY, FACTS
 from tests.support.fleets import battery, fleet, graph, labels, pose, reduced, tick
 from tests.support.recordings import header, keyframe, plain
@@ -78,7 +79,7 @@ def test_a_state_goes_on_after_it_was_read_as_before() -> None:
 
 def test_maps_are_read_with_their_pyramid() -> None:
     for event in (
-        events.FloorMapLoaded("floor_0", GRID, "", False),
+        events.FloorMapLoaded("floor_0", GRID, EMPTY, False),
         events.GridReceived("robot_0", "floor_0", GRID),
     ):
         assert plain(again(EventRecord(1.0, 2.0, event))) == plain(EventRecord(1.0, 2.0, event))

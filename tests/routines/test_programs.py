@@ -8,6 +8,7 @@ import pytest
 from fleet_tui.model.routines.blocks import RunBlock
 from fleet_tui.model.routines.lane import ProgramEnded
 from fleet_tui.routines.programs import ProgramRun, program_path, program_problem
+from fleet_tui.text.language import Message
 from tests.support.polling import HANGS
 
 
@@ -50,7 +51,9 @@ def test_its_exit_code_decides_and_its_last_line_is_told(script: Path) -> None:
 
 
 def test_it_ends_when_its_time_is_up(script: Path) -> None:
-    assert ended(script.parent, "sleep", "60", within=0.2) == ProgramEnded(False, "not ended within 0 s")
+    assert ended(script.parent, "sleep", "60", within=0.2) == ProgramEnded(
+        False, Message("not ended within 0 s")
+    )
 
 
 def test_one_that_cannot_be_started_fails(tmp_path: Path) -> None:
@@ -62,5 +65,5 @@ def test_a_person_ends_it(script: Path) -> None:
     run.end()
     for _ in range(20):
         run.join()
-    assert run.ended == ProgramEnded(False, "ended by a person")
+    assert run.ended == ProgramEnded(False, Message("ended by a person"))
     run.end()

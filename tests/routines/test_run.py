@@ -26,6 +26,7 @@ from fleet_tui.routines.files import read_routine
 from fleet_tui.routines.progress import RoutineProgress
 from fleet_tui.routines.run import RoutineRun, RunParts
 from fleet_tui.state.store import Store
+from fleet_tui.text.language import Message
 from tests.support.fleets import R0, T0, commanded, link_lost, link_up, queue, tick
 from tests.support.routines import two_robots
 
@@ -110,8 +111,8 @@ def test_a_lost_link_holds_it_and_a_person_resumes(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("objection", "phase", "gate"),
     [
-        (OrderWithheld("robot_0 is paused"), LanePhase.READY, Gate.HELD),
-        (OrderEnded(False, "no path"), LanePhase.FAILED, Gate.OPEN),
+        (OrderWithheld(Message("robot_0 is paused")), LanePhase.READY, Gate.HELD),
+        (OrderEnded(False, Message("no path")), LanePhase.FAILED, Gate.OPEN),
     ],
 )
 def test_an_order_that_may_not_be_sent(

@@ -12,6 +12,7 @@ from fleet_tui.model.robot import Logged
 from fleet_tui.rules.alarms.navigation import failed_order
 from fleet_tui.rules.causes import cause_of_end, wants_causes
 from fleet_tui.rules.why.why import reasons
+from fleet_tui.text.language import Message
 from tests.support.fleets import R0, T0, WALL, fleet, link_up, place_order, pose, queue, reduced, tick
 from tests.support.nav2_goals import goal, goals, nav2
 
@@ -25,7 +26,9 @@ FAILED = GoneOrder(Order("7f3a99c0", (), None, "", 1), T0, Stage.FAILED, UNSAID)
 def test_an_end_without_a_reason_has_the_error_that_the_log_had_just_then(
     logged_at: float, cause: str
 ) -> None:
-    robot = replace(STATE.robots[R0], gone=(FAILED,), logged=(Logged("no valid control", logged_at),))
+    robot = replace(
+        STATE.robots[R0], gone=(FAILED,), logged=(Logged(Message("no valid control"), logged_at),)
+    )
     assert cause_of_end(robot, FAILED) == cause
     condition = failed_order(STATE, robot, {})
     assert condition is not None and condition.text.endswith(f" failed: {cause or 'no reason reported'}")
@@ -34,7 +37,7 @@ def test_an_end_without_a_reason_has_the_error_that_the_log_had_just_then(
 
 
 def test_the_reason_that_came_with_the_end_is_first() -> None:
-    robot = replace(STATE.robots[R0], logged=(Logged("no valid control", T0),))
+    robot = replace(STATE.robots[R0], logged=(Logged(Message("no valid control"), T0),))
     assert cause_of_end(robot, replace(FAILED, reason="aborted: blocked")) == "aborted: blocked"
 
 
@@ -54,10 +57,10 @@ def test_logs_are_wanted_before_a_robot_counts_as_stuck_and_after_an_order_faile
 def test_an_error_precedes_a_later_warning_and_lines_before_the_goal_tell_nothing_of_it() -> None:
     ended = Goal("7f3a99c0", "", "navigate_to_pose", OrderState.FAILED, begun_at=T0 - 20.0)
     lines = (
-        Logged("of the goal before", T0 - 25.0),
-        Logged("wheel slips", T0 - 15.0),
-        Logged("no valid control", T0 - 0.2),
-        Logged("timed out", T0 - 0.1, is_warning=True),
+        Logged(Message("of the goal before"), T0 - 25.0),
+        Logged(Message("wheel slips"), T0 - 15.0),
+        Logged(Message("no valid control"), T0 - 0.2),
+        Logged(Message("timed out"), T0 - 0.1, is_warning=True),
     )
     robot = replace(STATE.robots[R0], gone=(FAILED,), goals={ended.action: (ended,)})
     for kept, cause in ((4, "no valid control"), (2, "wheel slips"), (1, "")):

@@ -5,6 +5,7 @@ from fleet_tui.model.events import BridgeAnswered, CommandPathChanged, Event, Ti
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath
 from fleet_tui.rules.alarms.trouble import is_odd
+from fleet_tui.text.language import Message
 from fleet_tui.view.tables.alarms import alarm_table
 from tests.support.alarms import up
 from tests.support.fleets import (
@@ -121,7 +122,7 @@ def test_an_overload_never_silences_a_robot_that_stopped_speaking() -> None:
 
 
 def test_lost_replies_are_those_of_a_late_bridge() -> None:
-    dead = CommandPathChanged(LINK, CommandPath.DEAD, "no reply within 5 s")
+    dead = CommandPathChanged(LINK, CommandPath.DEAD, Message("no reply within 5 s"))
     state = driving(late=3.0, unread=0.0)
     (alarm,) = reduced(state, dead, tick(state.now)).alarms
     assert alarm.text.startswith("messages 3.0 s late, no reply to commands: bridge overloaded")

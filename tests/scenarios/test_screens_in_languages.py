@@ -10,17 +10,15 @@ from msgspec.structs import replace
 
 from fleet_tui.languages import ENGLISH, use_language
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.text.language import read_catalogue
 from fleet_tui.view.help.pages import legend
+from tests.support.catalogues import LANGUAGES, translations
 from tests.support.console_pilot import Console, console
 from tests.support.nav2_site import nav2_ready, nav2_site
 from tests.support.scenario import plant
-from tests.support.screen_texts import ROOT
 from tests.support.watched_store import config_of
 
 pytestmark = pytest.mark.nightly
 
-LANGUAGES = sorted(path.stem for path in (ROOT / "locales").glob("*.po"))
 _DATA = (
     "base packing dispatch store receiving charger lift consumidores laundry floor robot rosbridge"
     " root esc enter tab pgup pgdn for wait carry until end idle name unit start mapping hall bridge"
@@ -112,7 +110,7 @@ def words(text: str) -> set[str]:
 @lru_cache
 def english(language: str) -> set[str]:
     """The words of the messages that the language does not have."""
-    messages = read_catalogue((ROOT / "locales" / f"{language}.po").read_text(encoding="utf-8"))
+    messages = translations(language)
     own = set().union(*(words(text) for text in messages.values()))
     return set().union(*map(words, messages)) - own - DATA
 

@@ -9,6 +9,7 @@ from fleet_tui.model.fleet import FleetState, with_robot
 from fleet_tui.model.order import Order
 from fleet_tui.model.order_life import GoneOrder
 from fleet_tui.rules.alarms.trouble import next_in_trouble
+from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.view.lines.hints import idle_hints
 from fleet_tui.view.lines.status import status_line
 from fleet_tui.view.roles import StyleRole
@@ -40,7 +41,7 @@ def fresh(*facts: Event, at: float = T0 + 10.0) -> FleetState:
 
 def lost() -> FleetState:
     state = fresh()
-    gone = GoneOrder(Order("7", (), None, "", 1), state.now - 2.0, Stage.LOST, "")
+    gone = GoneOrder(Order("7", (), None, "", 1), state.now - 2.0, Stage.LOST, EMPTY)
     return with_robot(state, replace(state.robots[R0], gone=(gone,)))
 
 
@@ -59,7 +60,7 @@ ODD = {
     "waiting 31 s": standing(),
     "order lost": lost(),
     "pose jumps": fresh(*(pose(T0 + 6 + n, 20.0 * (n % 2)) for n in range(5))),
-    "bad data": fresh(tick(T0 + 10), MessageRejected(R0, "pose: not a number")),
+    "bad data": fresh(tick(T0 + 10), MessageRejected(R0, Message("pose: not a number"))),
     "battery 11 s old": reduced(
         fresh(),
         *(one for one in fresh_reports(T0 + 21) if one != battery(T0 + 21)),

@@ -3,6 +3,7 @@
 import pytest
 
 from fleet_tui.simulator.server import RosbridgeServer
+from fleet_tui.text.language import Message
 from tests.support.console_pilot import console
 from tests.support.made_up_kind import mixed
 from tests.support.ordering import sent, vertex
@@ -14,7 +15,7 @@ async def test_pause_all_reaches_who_can_be_paused_and_names_who_can_not(
     async with console(mixed(monkeypatch, server.url, 1)) as it:
         said, note = list[str](), it.app.main.notices.note
 
-        def listen(text: str, stays: bool = False) -> None:
+        def listen(text: Message, stays: bool = False) -> None:
             said.append(text)
             note(text, stays)
 

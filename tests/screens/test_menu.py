@@ -5,6 +5,7 @@ from functools import partial
 import pytest
 
 from fleet_tui.simulator.server import RosbridgeServer
+from fleet_tui.text.language import Message, verbatim
 from tests.support.console_menus import in_the_way
 from tests.support.console_pilot import console
 from tests.support.ordering import one_packet, sent
@@ -83,8 +84,8 @@ async def test_a_list_of_things_filters_as_one_types_and_no_letter_is_a_command(
 ) -> None:
     async with console(config_of(server.url, 1)) as it:
         chosen: list[int] = []
-        entries = [(f"place {n} (p)", partial(chosen.append, n)) for n in range(many)]
-        it.app.main.rest.menu.show("Places", entries, searched=True)
+        entries = [(verbatim(f"place {n} (p)"), partial(chosen.append, n)) for n in range(many)]
+        it.app.main.rest.menu.show(Message("Places"), entries, searched=True)
         await it.shows("Choose")
         await it.type("p 1")
         await it.hides("place 0")
@@ -95,12 +96,14 @@ async def test_a_list_of_things_filters_as_one_types_and_no_letter_is_a_command(
 async def test_actions_keep_their_keys_however_many_they_are(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 1)) as it:
         chosen: list[int] = []
-        entries = [(f"action {n} ({'abcdefghilmn'[n]})", partial(chosen.append, n)) for n in range(12)]
-        it.app.main.rest.menu.show("Actions", entries)
+        entries = [
+            (verbatim(f"action {n} ({'abcdefghilmn'[n]})"), partial(chosen.append, n)) for n in range(12)
+        ]
+        it.app.main.rest.menu.show(Message("Actions"), entries)
         await it.shows("9  action 8")
         await it.press("m")
         await it.hides("action 8")
-        it.app.main.rest.menu.show("Actions", entries)
+        it.app.main.rest.menu.show(Message("Actions"), entries)
         await it.press("9")
         await it.hides("action 8")
         assert chosen == [10, 8] and sent(server) == []

@@ -12,6 +12,7 @@ from fleet_tui.screens.confirm import Confirm
 from fleet_tui.screens.ordering.form import OrderForm
 from fleet_tui.screens.why import Why
 from fleet_tui.simulator.server import RosbridgeServer
+from fleet_tui.text.language import EMPTY, Message
 from tests.support.console_pilot import Console, console
 from tests.support.fleets import place_order
 from tests.support.scenario import plant
@@ -191,7 +192,7 @@ async def test_diagnostics_open_where_the_first_cause_is(server: RosbridgeServer
         await it.shows("2. drive: ERROR no odometry")
         await it.press("d")
         await it.shows("Robot log")
-        it.app.main.rest.diagnostics.show("robot_1", Reason("no odometry", "", page="health"))
+        it.app.main.rest.diagnostics.show("robot_1", Reason(Message("no odometry"), EMPTY, page="health"))
         await it.shows("Robot diagnostics")
         await it.shows("▸✗ ERROR", "diagnostics-rows")
         marked = next(line for line in it.pane("diagnostics-rows").splitlines() if "▸" in line)

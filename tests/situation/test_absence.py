@@ -23,6 +23,7 @@ from fleet_tui.situation.facts import (
     UNDATED_POSE,
 )
 from fleet_tui.situation.robots import absence
+from fleet_tui.text.language import Message
 from fleet_tui.view.tables.news import news
 from tests.support.fleets import (
     LINK,
@@ -40,7 +41,7 @@ from tests.support.fleets import (
 
 SITE = 5_000.0
 """The clock of the site at T0."""
-BAD = "/robot_0/battery: percentage is missing"
+BAD = Message("/robot_0/battery: percentage is missing")
 
 
 def silent_robot() -> FleetState:

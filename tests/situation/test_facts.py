@@ -1,16 +1,21 @@
 """The table of facts: its words are written in it alone."""
 
 import ast
+from pathlib import Path
 
 import pytest
 
+import fleet_tui
 from fleet_tui.situation.facts import AGE_UNKNOWN, LATE_LINK
-from tests.support.screen_texts import ROOT
 
 
 @pytest.mark.parametrize("word", [LATE_LINK.word, AGE_UNKNOWN.word])
 def test_words_of_the_table_are_written_only_there(word: str) -> None:
-    modules = [path for path in ROOT.rglob("*.py") if word in path.read_text(encoding="utf-8")]
+    modules = [
+        path
+        for path in Path(fleet_tui.__file__).parent.rglob("*.py")
+        if word in path.read_text(encoding="utf-8")
+    ]
     written = {
         path.name
         for path in modules

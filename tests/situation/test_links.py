@@ -15,11 +15,14 @@ from fleet_tui.model.link import HALF_DEAD, CommandPath
 from fleet_tui.rules.why.reason import Strength
 from fleet_tui.rules.why.robot import unreachable
 from fleet_tui.rules.why.why import reasons
+from fleet_tui.text.language import Message
 from fleet_tui.view.lines.status import status_line
 from tests.support.fleets import LINK, R0, T0, battery, fleet, link_up, pose, queue, reduced, tick
 
-DEAD = CommandPathChanged(LINK, CommandPath.DEAD, "no ROS master", True)
-UNREGISTERED = CommandPathChanged(LINK, CommandPath.UNREGISTERED, "nodes of robot_1 not registered", True)
+DEAD = CommandPathChanged(LINK, CommandPath.DEAD, Message("no ROS master"), True)
+UNREGISTERED = CommandPathChanged(
+    LINK, CommandPath.UNREGISTERED, Message("nodes of robot_1 not registered"), True
+)
 HALF = CommandPathChanged(LINK, CommandPath.DEAD, HALF_DEAD, True)
 UNSOURCED = MessagesUnsourced(LINK, "OH_ressources")
 LOST = TopicsDropped(LINK, (R0,))

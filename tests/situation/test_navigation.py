@@ -12,6 +12,7 @@ from fleet_tui.model.navigation_events import ServersReported
 from fleet_tui.model.robot import Logged
 from fleet_tui.rules.why.why import reasons
 from fleet_tui.situation.navigation import inactive, inactive_cause
+from fleet_tui.text.language import Message
 from fleet_tui.view.tables.news import in_cells, news, shortened_news
 from tests.support.fleets import R0, T0, WALL, reduced
 from tests.support.nav2_goals import localised, nav2, odometry, unheard
@@ -76,7 +77,7 @@ def test_the_log_tells_of_a_dead_node_where_the_last_answer_is_old() -> None:
     state = asked(Servers(True), 3)
     later = T0 + 3 + SERVERS_SILENCE + 1
     state = reduced(state, odometry(later), TimePassed(later, WALL + later))
-    line = Logged("CRITICAL FAILURE: SERVER bt_navigator IS DOWN", later)
+    line = Logged(Message("CRITICAL FAILURE: SERVER bt_navigator IS DOWN"), later)
     fact = inactive(state, replace(state.robots[R0], logged=(line,)))
     assert fact is not None and fact.text == "Nav2 inactive: bt_navigator down"
     assert fact.evidence == "the log of its lifecycle manager says so"

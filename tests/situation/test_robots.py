@@ -13,6 +13,7 @@ from fleet_tui.model.request import Request
 from fleet_tui.rules.alarms.classes import action_of
 from fleet_tui.rules.commands.checks import problems
 from fleet_tui.rules.why.why import reasons
+from fleet_tui.text.language import Message
 from fleet_tui.view.map.floor_scene import floor_scene
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.selection import Selection
@@ -35,7 +36,7 @@ from tests.support.fleets import (
 )
 
 ON_CHANGE = Kind("nav2", silence={"blocked": math.inf})
-BAD = "/robot_0/battery: percentage is missing"
+BAD = Message("/robot_0/battery: percentage is missing")
 
 
 def sends_only_bad_data(seconds: float) -> FleetState:

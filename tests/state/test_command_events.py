@@ -9,6 +9,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.batches import summary
 from fleet_tui.state.command_events import COMMANDS_KEPT
+from fleet_tui.text.language import Message
 from tests.support.fleets import (
     R0,
     T0,
@@ -24,8 +25,8 @@ def test_a_command_ends_exactly_once_whatever_comes() -> None:
     state = reduced(fleet(), *commanded(7, PauseRobot(R0)), events.CommandAdvanced(8, Stage.SENT, T0))
     assert state.commands[0].stage is Stage.CHECKED
     assert reduced(state, *commanded(7, ResumeRobot(R0))).commands == state.commands
-    state = reduced(state, events.CommandAdvanced(7, Stage.NOT_SENT, T0, "no link"))
-    assert reduced(state, events.CommandAdvanced(7, Stage.ACCEPTED, T0, "paused")) is state
+    state = reduced(state, events.CommandAdvanced(7, Stage.NOT_SENT, T0, Message("no link")))
+    assert reduced(state, events.CommandAdvanced(7, Stage.ACCEPTED, T0, Message("paused"))) is state
     assert (state.commands[0].stage, state.commands[0].detail) == (Stage.NOT_SENT, "no link")
     assert not state.robots[R0].paused_by_us
 
@@ -85,7 +86,7 @@ def test_a_lock_is_ours_from_its_sending_until_we_resume() -> None:
     since = robot(state).paused_since
     assert not robot(state).locked_by_us
     again = events.CommandIssued(2, PauseRobot(R0), T0 + 5, WALL)
-    state = reduced(state, again, events.CommandAdvanced(2, Stage.SENT, T0 + 5, "", "/tb2/lock"))
+    state = reduced(state, again, events.CommandAdvanced(2, Stage.SENT, T0 + 5, Message(""), "/tb2/lock"))
     assert robot(state).locked_by_us
     state = reduced(state, *commanded(3, PauseRobot(R0), Stage.SENT, Stage.ACCEPTED, at=T0 + 9))
     assert robot(state).locked_by_us and robot(state).paused_since == since

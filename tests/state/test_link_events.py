@@ -3,6 +3,7 @@
 from fleet_tui.model import events
 from fleet_tui.model.link import CommandPath, LinkState, Phase
 from fleet_tui.state.link_events import LinkEvent, apply_to_link
+from fleet_tui.text.language import Message
 from tests.support.fleets import LINK, T0, fleet, link_lost, link_up
 
 
@@ -28,7 +29,7 @@ def test_what_a_bridge_lacks_is_forgotten_with_the_link() -> None:
 
 
 def test_the_command_path_is_a_state_of_its_own() -> None:
-    dead = events.CommandPathChanged(LINK, CommandPath.DEAD, "no answer", connected=True)
+    dead = events.CommandPathChanged(LINK, CommandPath.DEAD, Message("no answer"), connected=True)
     link = after(link_up(T0), dead)
     assert (link.phase, link.command_path, link.command_reason) == (Phase.UP, CommandPath.DEAD, "no answer")
     assert link.commands_connected

@@ -18,6 +18,7 @@ from fleet_tui.model.navigation_events import (
     Unmeasured,
 )
 from fleet_tui.model.robot import Logged, Reading
+from fleet_tui.text.language import Message
 from tests.support.fleets import F0, R0, T0, reduced, tick
 from tests.support.nav2_goals import (
     WAYPOINTS,
@@ -132,7 +133,7 @@ def test_an_error_is_as_old_as_its_stamp_and_no_sign_of_life() -> None:
     drives = reduced(nav2(), odometry(T0, 1.0))
     state = reduced(drives, ErrorReported(R0, T0 + 60, "old", stamp=T0 - 10))
     found, last = robot(state).logged, robot(state).last_received
-    assert found == (Logged("old", T0 - 10),) and last == T0
+    assert found == (Logged(Message("old"), T0 - 10),) and last == T0
     state = reduced(state, ErrorReported(R0, T0 + 61, "part: broken", is_diagnosed=True))
     assert robot(state).diagnosed == Reading("part: broken", T0 + 61)
     assert robot(state).logged == found

@@ -10,6 +10,7 @@ from fleet_tui.model.graph import Edge, RouteGraph, Vertex
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.occupancy import grid_from_ros
 from fleet_tui.situation.robots import obstacle
+from fleet_tui.text.language import Message
 from tests.support.alarms import alarms
 from tests.support.fleets import (
     F0,
@@ -71,7 +72,9 @@ def test_every_value_lands_in_its_place_with_its_time() -> None:
 def test_what_is_latched_is_kept_but_is_no_sign_of_life() -> None:
     """A bridge delivers latched maps again: a dead robot must not look alive."""
     maps = (graph(1), labels({1: "Base"}), events.FrameReceived(R0, F0, FRAME))
-    state = reduced(fleet(), *maps, events.GridReceived(R0, F0, GRID), events.MessageRejected(R0, "bad"))
+    state = reduced(
+        fleet(), *maps, events.GridReceived(R0, F0, GRID), events.MessageRejected(R0, Message("bad"))
+    )
     robot_map = state.robots[R0].maps[F0]
     assert robot_map.frame == FRAME and robot_map.grid is GRID
     assert robot_map.graph is not None and robot_map.name_of("1") == "Base"
@@ -81,7 +84,9 @@ def test_what_is_latched_is_kept_but_is_no_sign_of_life() -> None:
 
 def test_bad_data_is_counted_on_its_robot_or_its_link() -> None:
     state = reduced(
-        fleet(2), events.MessageRejected(R0, "pose: x"), events.FrameRejected(LINK, "frame of 3 bytes")
+        fleet(2),
+        events.MessageRejected(R0, Message("pose: x")),
+        events.FrameRejected(LINK, "frame of 3 bytes"),
     )
     assert [(robot.faults, robot.last_fault) for robot in state.robots.values()] == [(1, "pose: x"), (0, "")]
     assert (state.links[LINK].faults, state.links[LINK].last_fault) == (1, "frame of 3 bytes")
@@ -95,7 +100,7 @@ def test_what_an_unknown_robot_says_changes_nothing() -> None:
 def test_a_floors_map_file_or_what_is_wrong_with_it() -> None:
     state = reduced(fleet(1, 2), events.FloorMapLoaded(F0, GRID, tied=False))
     assert (state.floors[F0].grid, state.floors[F0].tied, state.floors[F0].frame_id) == (GRID, False, F0)
-    state = reduced(state, events.FloorMapLoaded("floor_1", None, "map a.png: no image a.png"))
+    state = reduced(state, events.FloorMapLoaded("floor_1", None, Message("map a.png: no image a.png")))
     assert (state.floors["floor_1"].grid, state.floors["floor_1"].problem) == (
         None,
         "map a.png: no image a.png",
@@ -133,7 +138,9 @@ def test_since_stays_the_moment_of_the_loss_while_it_is_tried_again() -> None:
 def test_a_link_that_is_heard_and_commands_that_are_dead() -> None:
     state = reduced(fleet(), link_up(T0), events.MessageArrived(LINK, T0 + 3.0))
     assert state.links[LINK].last_received == T0 + 3.0
-    state = reduced(state, events.CommandPathChanged(LINK, CommandPath.DEAD, "no ROS master"), tick(T0 + 4))
+    state = reduced(
+        state, events.CommandPathChanged(LINK, CommandPath.DEAD, Message("no ROS master")), tick(T0 + 4)
+    )
     assert alarms(state)[LINK, "commands"].text == "commands dead: no ROS master"
     state = reduced(state, events.CommandPathChanged(LINK, CommandPath.ALIVE), tick(T0 + 5))
     assert alarms(state)[LINK, "commands"].text == "command path restored"

@@ -10,6 +10,7 @@ from fleet_tui.model.events import Event, GraphReceived, PausedReported
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.robot import Reading, Robot
+from fleet_tui.text.language import Message
 from tests.support.fleets import (
     F0,
     R0,
@@ -182,7 +183,7 @@ def test_a_vertex_is_unknown_only_when_every_graph_has_come() -> None:
 
 
 def test_what_a_graph_left_out_is_counted_at_every_arrival() -> None:
-    bad = GraphReceived(R0, F0, RouteGraph(), 3, "graph of floor_0: edge 4 names unknown vertex 7")
+    bad = GraphReceived(R0, F0, RouteGraph(), 3, Message("graph of floor_0: edge 4 names unknown vertex 7"))
     state = reduced(fleet(), bad)
     assert (robot(state).faults, robot(state).last_fault) == (3, bad.fault)
 

@@ -8,6 +8,7 @@ from fleet_tui.model.link import LinkState, Phase
 from fleet_tui.model.robot import Robot, RobotMap
 from fleet_tui.rules.language.lookup import places
 from fleet_tui.state.reducer import apply
+from fleet_tui.text.language import Message
 from tests.support.fleets import R0, T0, fleet, pose, reduced
 
 
@@ -28,7 +29,7 @@ def test_an_offline_alarm_does_not_end_because_the_link_goes_too() -> None:
     robots = {"r": Robot("r", 1, "l", {}, last_received=0.0)}
     state = FleetState({}, robots, {"l": LinkState("l", "ws://x", Phase.UP)})
     state = apply(state, events.TimePassed(10.0, 0.0))
-    state = apply(state, events.LinkChanged("l", 11.0, Phase.WAITING, "gone"))
+    state = apply(state, events.LinkChanged("l", 11.0, Phase.WAITING, Message("gone")))
     state = apply(state, events.TimePassed(20.0, 0.0))
     assert [alarm.text for alarm in state.alarms if alarm.condition.source == "r"] == ["offline 20 s"]
 

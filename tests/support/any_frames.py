@@ -10,6 +10,7 @@ from fleet_tui.errors import WireError
 from fleet_tui.model.events import Event, MessageRejected
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.state.reducer import apply
+from fleet_tui.text.language import message_of
 from tests.support.fleets import R0, T0, tick
 
 
@@ -20,7 +21,7 @@ def facts(adapter: Adapter, feed: Feed, message: object, at: float) -> list[Even
         assert isinstance(operation, Publish)
         return list(adapter.read(feed, operation.msg, at))
     except WireError as problem:
-        return [MessageRejected(R0, str(problem))]
+        return [MessageRejected(R0, message_of(problem))]
 
 
 def assert_each_order_once(

@@ -9,6 +9,7 @@ from fleet_tui.discovery.wire import BridgeConnection
 from fleet_tui.errors import LinkError
 from fleet_tui.simulator.calls import Call
 from fleet_tui.simulator.frames import Frame
+from fleet_tui.text.language import Message
 
 Answer = Callable[[Mapping[str, Any]], object]
 
@@ -49,7 +50,7 @@ class AskedRosapi:
         await asyncio.sleep(0)
         self.open -= 1
         if name in self.deaf:
-            raise LinkError("no answer")
+            raise LinkError(Message("no answer"))
         return self.answers[name](args) if name in self.answers else f"service {service} does not exist"
 
     @property

@@ -22,6 +22,7 @@ from fleet_tui.model.set_up.driving import DrivePhase, DriveState, Steering
 from fleet_tui.rules.rates.attention import SeenArea
 from fleet_tui.state.store import Store
 from fleet_tui.state.streams import Streams
+from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.view.map.drawing import Drawing
 from tests.support.fleets import (
     LINK,
@@ -49,7 +50,7 @@ class StubDrive:
     def steer(self, steering: Steering) -> None:
         self.steered.append(steering)
 
-    def end(self, reason: str) -> None:
+    def end(self, reason: Message) -> None:
         if self.state.phase is not DrivePhase.ENDED:
             self.state = DriveState(DrivePhase.ENDED, reason=reason)
 
@@ -57,7 +58,7 @@ class StubDrive:
 class CollectingBackend:
     """Keeps what is submitted."""
 
-    def __init__(self, refusal: str = "") -> None:
+    def __init__(self, refusal: Message = EMPTY) -> None:
         self.refusal, self.submitted, self.events = refusal, list[Command](), list[Event]()
         self.counters: Mapping[str, LinkCounter] = {}
         self.streams = Streams()
@@ -75,13 +76,13 @@ class CollectingBackend:
         self.drives.append(StubDrive())
         return self.drives[-1]
 
-    def submit(self, *commands: Command) -> str:
+    def submit(self, *commands: Command) -> Message:
         self.submitted += commands
-        return ""
+        return EMPTY
 
-    def post(self, event: Event) -> str:
+    def post(self, event: Event) -> Message:
         self.events.append(event)
-        return ""
+        return EMPTY
 
     def show_map(self, robot: str, floor: str) -> None: ...
 
@@ -93,7 +94,7 @@ class CollectingBackend:
 class Menu(NamedTuple):
     """A menu that was opened."""
 
-    title: str
+    title: Message
     entries: Sequence[Entry]
     marked: int
 
@@ -132,7 +133,9 @@ class Camera:
 class Desk:
     """A Dispatch, a Navigation and Notices, and all that they said, asked and opened."""
 
-    def __init__(self, state: FleetState, permissions: Permissions | None = None, refusal: str = "") -> None:
+    def __init__(
+        self, state: FleetState, permissions: Permissions | None = None, refusal: Message = EMPTY
+    ) -> None:
         self.store, self.backend = Store(state), CollectingBackend(refusal)
         self.notices = Notices(self.store, lambda: None)
         self.answers: list[Callable[[], None]] = []
@@ -174,7 +177,7 @@ class Desk:
         self.answers.append(then)
 
     def open_menu(
-        self, title: str, entries: Sequence[Entry], marked: int = 0, *, searched: bool = False
+        self, title: Message, entries: Sequence[Entry], marked: int = 0, *, searched: bool = False
     ) -> None:
         self.menus.append(Menu(title, entries, marked))
 

@@ -33,6 +33,7 @@ from fleet_tui.model.kind import Kind
 from fleet_tui.model.link import Phase
 from fleet_tui.model.order import Order, OrderQueue, at_vertices
 from fleet_tui.state.reducer import apply
+from fleet_tui.text.language import Message
 from fleet_tui.view.tables.table import Run
 from tests.support.watched_store import config_of
 
@@ -106,14 +107,16 @@ def link_up(at: float) -> LinkChanged:
 
 
 def link_lost(at: float, reason: str = "connection refused", next_try: float | None = None) -> LinkChanged:
-    return LinkChanged(LINK, at, Phase.WAITING, reason, next_try)
+    return LinkChanged(LINK, at, Phase.WAITING, Message(reason), next_try)
 
 
 def commanded(
     id_: int, command: Command, *stages: Stage, at: float = T0, detail: str = ""
 ) -> tuple[CommandIssued | CommandAdvanced, ...]:
     """A command, and how the link brought it on; `detail` come with every stage."""
-    return CommandIssued(id_, command, at, WALL), *(CommandAdvanced(id_, one, at, detail) for one in stages)
+    return CommandIssued(id_, command, at, WALL), *(
+        CommandAdvanced(id_, one, at, Message(detail)) for one in stages
+    )
 
 
 def recording(name: str) -> list[dict[str, Any]]:

@@ -17,6 +17,7 @@ from fleet_tui.model.navigation_events import (
     OdometryReported,
 )
 from fleet_tui.model.order import OrderState, at_vertices
+from fleet_tui.text.language import Message
 from tests.support.fleets import R0, T0, fleet, graph, link_up, reduced, tick
 
 KIND = MoveBase(Profile(kind="move_base"), Site()).kind
@@ -54,7 +55,7 @@ def goals(at: float, *listed: Goal) -> GoalsReported:
 def sent(state: FleetState, at: float, name: str, command: PlaceOrder = A_B, id_: int = 7) -> FleetState:
     known = any(one.id == id_ for one in state.commands)
     issued = () if known else (CommandIssued(id_, command, at, at),)
-    return reduced(state, *issued, CommandAdvanced(id_, Stage.SENT, at, "", name))
+    return reduced(state, *issued, CommandAdvanced(id_, Stage.SENT, at, Message(""), name))
 
 
 def lived(state: FleetState, at: float, *listed: Goal) -> FleetState:

@@ -15,6 +15,7 @@ from fleet_tui.model.navigation_events import (
 )
 from fleet_tui.model.order import OrderState
 from fleet_tui.model.robot import Robot
+from fleet_tui.text.language import Message
 from tests.support.fleets import R0, T0, fleet, graph, link_up, reduced, tick
 
 NAV2 = Nav2(Profile(kind="nav2"), Site()).kind
@@ -52,7 +53,11 @@ def goal(id_: str, state: OrderState | None = ON, stamp: float | None = None) ->
 
 def goals(at: float, *listed: Goal, action: str = TO_POSE, fault: str = "") -> GoalsReported:
     return GoalsReported(
-        R0, at, action, tuple(replace(one, action=action, leads=action == WAYPOINTS) for one in listed), fault
+        R0,
+        at,
+        action,
+        tuple(replace(one, action=action, leads=action == WAYPOINTS) for one in listed),
+        Message(fault),
     )
 
 

@@ -28,6 +28,7 @@ from fleet_tui.model.routines.lane import (
 )
 from fleet_tui.rules.routines.parsing import parse_routine
 from fleet_tui.rules.routines.stepping import step
+from fleet_tui.text.language import EMPTY, Message
 from tests.support.fleets import R0, T0, battery, fleet, graph, labels, link_up, pose, queue, reduced, tick
 
 MORNING = """\
@@ -66,7 +67,7 @@ def plan_of(*lines: str) -> LanePlan:
 
 
 def facts(
-    wall: float = 0.0, no_link: str = "", holds: Callable[[Condition], bool | None] = lambda _: True
+    wall: float = 0.0, no_link: Message = EMPTY, holds: Callable[[Condition], bool | None] = lambda _: True
 ) -> LaneFacts:
     """The world; the local clock shows minute N at N * 60 seconds."""
 
@@ -145,17 +146,17 @@ plans: st.SearchStrategy[LanePlan] = st.tuples(bodies, bodies).map(
 
 def _ticks() -> st.SearchStrategy[LaneEvent]:
     known = st.sampled_from((True, True, False, None))
-    made = st.tuples(st.floats(0.0, 1e6), st.sampled_from(("", "", "", "no link")), known)
+    made = st.tuples(st.floats(0.0, 1e6), st.sampled_from((EMPTY, EMPTY, EMPTY, Message("no link"))), known)
     return made.map(lambda one: Ticked(facts(one[0], one[1], lambda _: one[2])))
 
 
 _OTHERS: Sequence[LaneEvent] = (
     OrderEnded(True),
     OrderEnded(True),
-    OrderEnded(False, "lost"),
-    OrderWithheld("paused"),
+    OrderEnded(False, Message("lost")),
+    OrderWithheld(Message("paused")),
     ProgramEnded(True),
-    ProgramEnded(False, "exit status 1"),
+    ProgramEnded(False, Message("exit status 1")),
     LanePaused(),
     LaneResumed(),
     LaneStepped(),

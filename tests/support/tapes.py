@@ -14,6 +14,7 @@ from fleet_tui.recording.indexing import open_recording
 from fleet_tui.recording.recording import Recording
 from fleet_tui.recording.records import EventRecord, Keyframe, Lost, Mark, Record
 from fleet_tui.state.reducer import apply
+from fleet_tui.text.language import Message
 from tests.support.fleets import LINK, R0, T0, WALL, battery, commanded, graph, labels, link_up, pose, queue
 from tests.support.recordings import PACKER, header, written
 from tests.support.watched_store import config_of
@@ -74,7 +75,7 @@ def shift(path: Path, seconds: int = 300) -> Recording:
         link_up(T0),
         graph(1, 2),
         labels({1: "Base"}),
-        CommandPathChanged(LINK, CommandPath.ALIVE, "", True),
+        CommandPathChanged(LINK, CommandPath.ALIVE, Message(""), True),
     )
     for second in range(seconds):
         at = T0 + second

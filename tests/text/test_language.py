@@ -1,94 +1,101 @@
 """Texts in the language of the user: figures and names in them, and what stays as it is."""
 
 from collections.abc import Iterator
+from gettext import NullTranslations
 from pathlib import Path
 
 import msgspec
 import pytest
 
-from fleet_tui.text.language import LONGEST, Catalogue, Message, in_english, joined, read_catalogue, speak, tr
+from fleet_tui.errors import CommandError
+from fleet_tui.text.language import (
+    EMPTY,
+    Message,
+    counted,
+    in_english,
+    joined,
+    message_of,
+    speak,
+    tr,
+    translate,
+    verbatim,
+)
 from fleet_tui.text.sanitize import sanitize
 
-MESSAGES = {
+TEXTS = {
     "no link": "keine Verbindung",
     "paused": "pausiert",
-    "order": "Auftrag",
     "{count} order": "{count} Auftrag",
     "{count} orders": "{count} Aufträge",
     "{age} ago": "vor {age}",
     "not sent: {problem}": "nicht gesendet: {problem}",
     "{name} is offline": "{name} ist offline",
-    "{stopped} of {able} {PAUSED}": "{able}: davon {stopped} {PAUSED}",
+    "{stopped} of {able} {paused}": "{able}: davon {stopped} {paused}",
 }
+
+
+class German(NullTranslations):
+    def gettext(self, message: str) -> str:
+        return TEXTS.get(message, message)
+
+    def ngettext(self, msgid1: str, msgid2: str, n: int) -> str:
+        return self.gettext(msgid1 if n == 1 else msgid2)
 
 
 @pytest.fixture(autouse=True)
 def german() -> Iterator[None]:
-    speak(Catalogue(MESSAGES))
+    speak(German())
     yield
-    speak(None)
+    speak(NullTranslations())
 
 
 def test_without_a_catalogue_a_text_stays_as_it_is() -> None:
-    speak(None)
+    speak(NullTranslations())
     assert tr("no link") == "no link"
+    assert translate(counted("{count} order", "{count} orders", 2)) == "2 orders"
 
 
-def test_a_text_and_the_spaces_around_it() -> None:
-    assert tr(" no link  ") == " keine Verbindung  "
-
-
-def test_one_and_many_are_two_messages() -> None:
-    assert [tr(text) for text in ("1 order", "2 orders")] == ["1 Auftrag", "2 Aufträge"]
+def test_one_and_many_are_forms_of_one_message() -> None:
+    both = [counted("{count} order", "{count} orders", count) for count in (1, 2)]
+    assert both == ["1 order", "2 orders"]
+    assert list(map(translate, both)) == ["1 Auftrag", "2 Aufträge"]
 
 
 def test_values_go_where_the_language_has_them() -> None:
-    assert tr("3 min ago") == "vor 3 min"
-    assert (
-        tr("{stopped} of {able} {PAUSED}", stopped=2, able=5, PAUSED=Message("paused"))
-        == "5: davon 2 pausiert"
-    )
+    assert tr("{age} ago", age="3 min") == "vor 3 min"
+    text = Message("{stopped} of {able} {paused}", stopped=2, able=5, paused=Message("paused"))
+    assert translate(text) == "5: davon 2 pausiert"
+    assert text == "2 of 5 paused"
 
 
 def test_a_reason_within_a_text_is_translated_a_name_is_not() -> None:
-    assert tr("not sent: no link") == "nicht gesendet: keine Verbindung"
-    assert tr("order is offline") == "order ist offline"
+    assert tr("not sent: {problem}", problem=Message("no link")) == "nicht gesendet: keine Verbindung"
+    assert tr("{name} is offline", name="paused") == "paused ist offline"
 
 
-def test_lists_lines_and_brackets_are_translated_part_by_part() -> None:
-    assert tr("paused; no link") == "pausiert; keine Verbindung"
-    assert tr("1 order, paused") == "1 Auftrag, pausiert"
-    assert tr("no link\npaused") == "keine Verbindung\npausiert"
-    assert tr("no link (paused)") == "keine Verbindung (pausiert)"
-    assert tr("robot_1 (robot_2, robot_3)") == "robot_1 (robot_2, robot_3)"
+def test_what_others_say_is_never_looked_up() -> None:
+    assert translate(verbatim("no link")) == "no link"
+    assert translate(verbatim("{age} of {0} %s")) == "{age} of {0} %s"
 
 
-def test_unknown_texts_and_long_ones_stay() -> None:
-    assert tr("Packing -> Store") == "Packing -> Store"
-    long = "not sent: " + "no link " * LONGEST
-    assert tr(long) == long
+def test_an_empty_text_is_empty_in_every_language() -> None:
+    assert translate(EMPTY) == ""
+    assert not EMPTY
 
 
-def test_braces_in_a_value_stay() -> None:
-    assert tr("{0} is offline") == "{0} ist offline"
-
-
-def test_reads_a_po_file() -> None:
-    text = (
-        '# about\nmsgid ""\nmsgstr "Language: de\\n"\n\n# view\nmsgid "a \\"b\\""\nmsgstr ""\n"c"\n"d\\n"\n'
-    )
-    assert read_catalogue(text + '\nmsgid "not yet"\nmsgstr ""\n') == {'a "b"': "cd\n"}
-
-
-def test_refuses_what_is_no_po_file() -> None:
-    with pytest.raises(ValueError, match="no line of a catalogue: Auftrag"):
-        read_catalogue('msgid "order"\nAuftrag\n')
+def test_an_exception_within_a_text_is_the_message_that_it_was_raised_with() -> None:
+    problem = CommandError(Message("no link"))
+    assert message_of(problem) == "no link"
+    assert tr("not sent: {problem}", problem=problem) == "nicht gesendet: keine Verbindung"
+    assert translate(message_of(ValueError("paused"))) == "paused"
 
 
 def test_texts_put_together_are_translated_in_their_parts() -> None:
-    assert tr(joined("; ", ["paused", Message("{age} ago", age="4 s")])) == "pausiert; vor 4 s"
-    assert tr("paused " + Message("{age} ago", age="4 s")) == "pausiert vor 4 s"
-    assert tr(Message("{age} ago", age="4 s") + " paused") == "vor 4 s pausiert"
+    assert (
+        translate(joined("; ", [Message("paused"), Message("{age} ago", age="4 s")])) == "pausiert; vor 4 s"
+    )
+    assert translate("paused " + Message("{age} ago", age="4 s")) == "paused vor 4 s"
+    assert translate(Message("{age} ago", age="4 s") + Message("paused")) == "vor 4 spausiert"
 
 
 def test_it_is_written_in_english_and_what_is_no_text_not_at_all() -> None:
@@ -100,3 +107,8 @@ def test_it_is_written_in_english_and_what_is_no_text_not_at_all() -> None:
 
 def test_a_path_within_a_text_is_sanitized_too() -> None:
     assert "\x1b" not in sanitize(Message("not sent: {problem}", problem=Path("a\x1b[2J")))
+
+
+def test_a_sanitized_message_has_its_plural_still() -> None:
+    text = sanitize(counted("{count} order", "{count} orders", 2, name="\x1b"))
+    assert translate(text) == "2 Aufträge"

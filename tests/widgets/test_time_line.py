@@ -1,5 +1,6 @@
 """The time line of a recording: it shows the position, and a click says which cell."""
 
+from fleet_tui.text.language import Message
 from fleet_tui.view.lines.time import ReplayPosition
 from fleet_tui.widgets.messages import TimePicked
 from fleet_tui.widgets.time_line import TimeLine
@@ -32,7 +33,7 @@ async def test_a_click_is_a_cell_of_its_width() -> None:
             is_over=False,
             busy=None,
             marks=[],
-            note="truncated",
+            note=Message("truncated"),
             jumps=0,
         )
         line.show(moment, lambda _wall: "12:00:00")

@@ -19,6 +19,7 @@ from fleet_tui.adapters.ros_navigation.kinds import kind_of_goals
 from fleet_tui.adapters.service_outcome import judge
 from fleet_tui.model import commands
 from fleet_tui.model.set_up.commands import StoreMap
+from fleet_tui.text.language import Message
 
 GOALS = GoalMessages(order, cancel, cancel_own, cancel_all)
 
@@ -63,7 +64,7 @@ class MoveBase(NavigationAdapter):
 
     def outcome(
         self, command: commands.Command, values: object, result: bool, status: int | None = None
-    ) -> tuple[commands.Stage, str]:
+    ) -> tuple[commands.Stage, Message]:
         """Return the stage for the answer of a pause or resume service; all other commands have no answer."""
         if isinstance(command, StoreMap) and result and (end := judge_saved(self.names, command, values)):
             return end

@@ -23,10 +23,12 @@ ALL = ""
 def order(names: Names, robot: Robot, stops: Sequence[Stop], unique: str) -> tuple[Publication]:
     """Return the goal that leads to a stop, under a name of its own. Raises CommandError."""
     if len(stops) != 1:
-        raise CommandError("a move_base goal has one stop")
+        raise CommandError(Message("a move_base goal has one stop"))
     topic = names.topic("goal", robot.name)
     if not topic:
-        raise CommandError(f"no goals for this robot: [{names.table}.topics] goal is empty")
+        raise CommandError(
+            Message("no goals for this robot: [{table}.topics] goal is empty", table=names.table)
+        )
     pose = pose_of_stop(robot, stops[0], robot.pose.value if robot.pose else None)
     name = f"fleet-tui-{UUID(hex=unique)}"
     message = {
@@ -46,7 +48,7 @@ def cancel(names: Names, robot: Robot, order_id: str) -> list[Publication]:
             if found
             else Message("unknown goal {order_id}", order_id=order_id)
         )
-        raise CommandError(f"{known}: see the queue of {robot.name}")
+        raise CommandError(Message("{known}: see the queue of {name}", known=known, name=robot.name))
     return _cancel(names, robot, found)
 
 
@@ -72,5 +74,7 @@ def _not_listed_yet(robot: Robot) -> list[str]:
 def _cancel(names: Names, robot: Robot, ids: Sequence[str]) -> list[Publication]:
     topic, type_ = names.topic("cancel", robot.name), names.type("cancel")
     if not topic:
-        raise CommandError(f"no cancel for this robot: [{names.table}.topics] cancel is empty")
+        raise CommandError(
+            Message("no cancel for this robot: [{table}.topics] cancel is empty", table=names.table)
+        )
     return [Publication(topic, type_, {"stamp": NO_STAMP, "id": id_}) for id_ in dict.fromkeys(ids)]

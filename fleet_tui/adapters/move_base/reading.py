@@ -18,6 +18,7 @@ from fleet_tui.model import events
 from fleet_tui.model.navigation import Goal
 from fleet_tui.model.navigation_events import Alive, GoalsReported, LocalisationReported, TargetReported
 from fleet_tui.model.order import OrderState
+from fleet_tui.text.language import EMPTY, Message, verbatim
 from fleet_tui.text.limits import MOST_ORDERS, truncate
 
 
@@ -100,12 +101,12 @@ def read_status(names: Names) -> Read:
     def facts(robot: str, msg: object, at: float) -> Iterable[events.Event]:
         listed, faults = read(msg).status_list, list[str]()
         goals = []
-        for one in read_all(read_one, listed[-MOST_ORDERS:], "status_list", MOST_ORDERS, faults):
+        for one in read_all(read_one, listed[-MOST_ORDERS:], Message("status_list"), MOST_ORDERS, faults):
             try:
                 goals.append(_goal(one))
             except WireError as problem:
                 faults.append(str(problem))
-        yield GoalsReported(robot, at, ACTION, tuple(goals), faults[0] if faults else "")
+        yield GoalsReported(robot, at, ACTION, tuple(goals), verbatim(faults[0]) if faults else EMPTY)
         yield Alive(robot, at)
 
     return facts

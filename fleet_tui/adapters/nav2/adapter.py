@@ -20,6 +20,7 @@ from fleet_tui.adapters.service_outcome import judge
 from fleet_tui.model import commands, events, navigation_events
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import SendGraph, SetUpCommand, StoreMap
+from fleet_tui.text.language import Message
 
 REPORTS = ("blocked", "map", "queue", "progress")
 """Values besides position and charge; the last two are from the actions."""
@@ -85,7 +86,7 @@ class Nav2(NavigationAdapter):
 
     def outcome(
         self, command: commands.Command, values: object, result: bool, status: int | None = None
-    ) -> tuple[commands.Stage, str]:
+    ) -> tuple[commands.Stage, Message]:
         """Return the stage of a command that an answer leads to; `status` is that of a goal."""
         if status is not None:
             return judge_goal(values, status, result)

@@ -2,44 +2,46 @@
 
 from collections.abc import Mapping
 
+from fleet_tui.text.language import N_, Message
+
 CODES: Mapping[int, str] = {
-    101: "invalid controller plugin",
-    102: "transform missing for the controller",
-    103: "invalid path for the controller",
-    104: "controller patience exceeded",
-    105: "no progress",
-    106: "no valid control",
-    107: "controller timed out",
-    201: "invalid planner plugin",
-    202: "transform missing for the planner",
-    203: "start off the map",
-    204: "goal off the map",
-    205: "start occupied",
-    206: "goal occupied",
-    207: "planner timed out",
-    208: "no path to the goal",
-    600: "waypoint server failed",
-    601: "waypoint task failed",
-    602: "no waypoints",
-    603: "waypoint missed",
+    101: N_("invalid controller plugin"),
+    102: N_("transform missing for the controller"),
+    103: N_("invalid path for the controller"),
+    104: N_("controller patience exceeded"),
+    105: N_("no progress"),
+    106: N_("no valid control"),
+    107: N_("controller timed out"),
+    201: N_("invalid planner plugin"),
+    202: N_("transform missing for the planner"),
+    203: N_("start off the map"),
+    204: N_("goal off the map"),
+    205: N_("start occupied"),
+    206: N_("goal occupied"),
+    207: N_("planner timed out"),
+    208: N_("no path to the goal"),
+    600: N_("waypoint server failed"),
+    601: N_("waypoint task failed"),
+    602: N_("no waypoints"),
+    603: N_("waypoint missed"),
 }
 
 _GROUPS: Mapping[int, str] = {
-    1: "controller",
-    2: "planner",
-    3: "planner through poses",
-    4: "route server",
-    5: "smoother",
-    6: "waypoint server",
-    7: "behaviour",
-    9: "docking or navigation",
+    1: N_("controller"),
+    2: N_("planner"),
+    3: N_("planner through poses"),
+    4: N_("route server"),
+    5: N_("smoother"),
+    6: N_("waypoint server"),
+    7: N_("behaviour"),
+    9: N_("docking or navigation"),
 }
 
 
-def error_text(code: int, message: str = "") -> str:
+def error_text(code: int, message: str = "") -> Message:
     """Return the meaning of an error code, the code, and the robot's own message."""
-    known = CODES.get(code) or _GROUPS.get(code // 100, "")
-    if code >= 9000:
-        known = "navigator failed"
-    said = f": {message}" if message else ""
-    return (f"{known} (error {code})" if known else f"error {code}") + said
+    known = N_("navigator failed") if code >= 9000 else CODES.get(code) or _GROUPS.get(code // 100, "")
+    text = Message("error {code}", code=code)
+    if known:
+        text = Message("{known} (error {code})", known=Message(known), code=code)
+    return Message("{text}: {message}", text=text, message=message) if message else text

@@ -26,7 +26,7 @@ def order(names: Names, robot: Robot, stops: Sequence[Stop], _unique: str) -> tu
     """Return the goal that leads to the stops in sequence. Raises CommandError."""
     poses, here = list[Pose](), robot.pose.value if robot.pose else None
     if not stops:
-        raise CommandError("an order needs a destination")
+        raise CommandError(Message("an order needs a destination"))
     for stop in stops:
         here = pose_of_stop(robot, stop, here)
         poses.append(here)
@@ -39,7 +39,14 @@ def order(names: Names, robot: Robot, stops: Sequence[Stop], _unique: str) -> tu
 def _goal(names: Names, key: str, robot: Robot, args: Mapping[str, object]) -> ActionGoal:
     name = names.action(key, robot.name)
     if not name:
-        raise CommandError(f"this robot has no {key}: [{names.table}.actions] {key} is empty")
+        raise CommandError(
+            Message(
+                "this robot has no {key}: [{table}.actions] {key2} is empty",
+                key=key,
+                table=names.table,
+                key2=key,
+            )
+        )
     return ActionGoal(name, names.action_type(key), args)
 
 
@@ -52,7 +59,7 @@ def cancel(names: Names, robot: Robot, order_id: str) -> tuple[ServiceCall]:
             if found
             else Message("unknown goal {order_id}", order_id=order_id)
         )
-        raise CommandError(f"{known}: see the queue of {robot.name}")
+        raise CommandError(Message("{known}: see the queue of {name}", known=known, name=robot.name))
     return (_cancel(names, robot, found[0].action, found[0].uuid),)
 
 

@@ -14,6 +14,7 @@ from fleet_tui.errors import WireError
 from fleet_tui.model import events, navigation_events
 from fleet_tui.model.navigation import Goal, Progress
 from fleet_tui.model.order import DOCKING, OrderState
+from fleet_tui.text.language import EMPTY, Message, verbatim
 from fleet_tui.text.limits import LONGEST_NAME, MOST_ORDERS, truncate
 
 STATES = {
@@ -58,14 +59,16 @@ def read_goals(action: str) -> Read:
 
     def facts(robot: str, msg: object, at: float) -> Iterable[events.Event]:
         listed, faults = read(msg).status_list, list[str]()
-        found = read_all(read_one, listed[-MOST_ORDERS:], "status_list", MOST_ORDERS, faults)
+        found = read_all(read_one, listed[-MOST_ORDERS:], Message("status_list"), MOST_ORDERS, faults)
         goals = []
         for one in found:
             try:
                 goals.append(_goal(action, one))
             except WireError as problem:
                 faults.append(str(problem))
-        yield navigation_events.GoalsReported(robot, at, action, tuple(goals), faults[0] if faults else "")
+        yield navigation_events.GoalsReported(
+            robot, at, action, tuple(goals), verbatim(faults[0]) if faults else EMPTY
+        )
 
     return facts
 

@@ -29,6 +29,7 @@ from fleet_tui.model import events, kind
 from fleet_tui.model.commands import Command, Stage
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import SendGraph, SetUpCommand, StoreMap
+from fleet_tui.text.language import Message
 
 if TYPE_CHECKING:
     from fleet_tui.model.set_up.streams import StreamValue
@@ -136,7 +137,7 @@ class OhRessources:
 
     def outcome(
         self, command: Command, values: object, result: bool, status: int | None = None
-    ) -> tuple[Stage, str]:
+    ) -> tuple[Stage, Message]:
         """Return the stage of a command that an answer leads to, with the robot's own text."""
         if isinstance(command, StoreMap) and result and (end := judge_saved(self.names, command, values)):
             return end

@@ -10,6 +10,7 @@ from fleet_tui.adapters.ros.names import Names
 from fleet_tui.errors import CommandError
 from fleet_tui.model import commands
 from fleet_tui.model.order import Stop
+from fleet_tui.text.language import Message
 
 INT32_MAX = 2**31 - 1
 Called = (
@@ -37,11 +38,17 @@ def call_of(names: Names, command: Called, request_id: int) -> ServiceCall:
             args = {"request_id": request_id, "initial_point": _vertex(start), "end_point": _vertex(end)}
             return call("order", named(names, "order_call", args))
         case commands.PlaceOrder(_, stops):
-            raise CommandError(f"orders to these robots have one or two stops, not {len(stops)}")
+            raise CommandError(
+                Message("orders to these robots have one or two stops, not {stops}", stops=len(stops))
+            )
         case commands.CancelOrder(robot, order_id):
             number = int32(order_id, "order id")
             if number <= 0:
-                raise CommandError(f"order id {number} means all orders to the robot: use clear instead")
+                raise CommandError(
+                    Message(
+                        "order id {number} means all orders to the robot: use clear instead", number=number
+                    )
+                )
             args = {"robot": robot, "ind": number}
             return call("cancel", named(names, "cancel_call", args))
         case commands.ClearOrders(robot):
@@ -56,14 +63,16 @@ def call_of(names: Names, command: Called, request_id: int) -> ServiceCall:
 
 def _vertex(stop: Stop) -> int:
     if stop.pose is not None:
-        raise CommandError("these robots drive to vertices, not to poses")
+        raise CommandError(Message("these robots drive to vertices, not to poses"))
     return int32(stop.vertex, "vertex")
 
 
 def int32(id_: str, what: str) -> int:
     """Return the number that an id is on the wire. Raises CommandError if it is not a number."""
     if not re.fullmatch(r"-?[0-9]{1,100}", id_, re.ASCII):
-        raise CommandError(f"{what} {id_!r} is not a number: these robots use numeric ids")
+        raise CommandError(
+            Message("{what} {name} is not a number: these robots use numeric ids", what=what, name=f"{id_!r}")
+        )
     return int(id_)
 
 
@@ -73,6 +82,6 @@ def named(names: Names, message: str, args: Mapping[str, object]) -> dict[str, o
     found = dict[str, object]()
     for name, value in args.items():
         if isinstance(value, int) and not -INT32_MAX - 1 <= value <= INT32_MAX:
-            raise CommandError(f"{name} {value} exceeds the robot's 32 bits")
+            raise CommandError(Message("{name} {value} exceeds the robot's 32 bits", name=name, value=value))
         put(found, names.path(message, name), value)
     return found

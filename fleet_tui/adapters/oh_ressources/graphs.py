@@ -12,6 +12,7 @@ from fleet_tui.adapters.ros.names import Names
 from fleet_tui.errors import CommandError
 from fleet_tui.model.graph import Edge, Vertex
 from fleet_tui.model.set_up.commands import SendGraph
+from fleet_tui.text.language import Message
 
 OWN = {"graph_save": "graph", "labels_save": "labels"}
 """Topics on which a robot takes its graph and its labels, with those on which it publishes them."""
@@ -46,17 +47,22 @@ def graph_messages(names: Names, command: SendGraph) -> Sequence[Publication]:
 def _publication(names: Names, command: SendGraph, key: str, message: Mapping[str, object]) -> Publication:
     topic = names.topic(key, command.robot, command.floor)
     if not topic:
-        raise CommandError(f"{names.table}.topics.{key} is empty")
+        raise CommandError(Message("{table}.topics.{key} is empty", table=names.table, key=key))
     if topic in {names.topic(own, command.robot, command.floor) for own in OWN.values()}:
         # Both publishers latch there: a late subscriber would get either.
-        text = f"{topic} is the robot's own topic: name another one in {names.table}.topics.{key}"
+        text = Message(
+            "{topic} is the robot's own topic: name another one in {table}.topics.{key}",
+            topic=topic,
+            table=names.table,
+            key=key,
+        )
         raise CommandError(text)
     return Publication(topic, names.type(key), message)
 
 
 def _vertex(names: Names, vertex: Vertex) -> dict[str, object]:
     if not is_place(vertex.x, vertex.y):
-        raise CommandError(f"vertex {vertex.id} has no finite position")
+        raise CommandError(Message("vertex {name} has no finite position", name=vertex.id))
     scale = names.scale("vertex")
     number = _number("vertex", vertex.id)
     fields = {"id": number, "x": vertex.x / scale, "y": vertex.y / scale, "type": vertex.type}
@@ -71,7 +77,14 @@ def _edge(names: Names, edge: Edge) -> dict[str, object]:
 def _number(what: str, id_: str) -> int:
     number = int32(id_, what)
     if str(number) != id_:
-        raise CommandError(f"{what} {id_!r} would come back as {number}: write it so")
+        raise CommandError(
+            Message(
+                "{what} {name} would come back as {number}: write it so",
+                what=what,
+                name=f"{id_!r}",
+                number=number,
+            )
+        )
     return number
 
 
@@ -92,7 +105,11 @@ def _edges(command: SendGraph, names: Names) -> Iterator[Edge]:
             back = edge.end, edge.start
             if back not in pairs:
                 one_way = f"edge {edge.id} leads one way only"
-                text = f"{one_way}, these robots' edges lead both ways: see {names.table}.directed"
+                text = Message(
+                    "{one_way}, these robots' edges lead both ways: see {table}.directed",
+                    one_way=one_way,
+                    table=names.table,
+                )
                 raise CommandError(text)
             if back not in yielded:
                 yielded.add((edge.start, edge.end))

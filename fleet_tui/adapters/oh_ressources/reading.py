@@ -7,6 +7,7 @@ from fleet_tui.adapters.ros.names import Names
 from fleet_tui.model import events
 from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
 from fleet_tui.model.order import Order, OrderQueue, OrderState, at_vertices
+from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.text.limits import (
     LONGEST_NAME,
     MOST_EDGES,
@@ -42,7 +43,7 @@ def read_queue(names: Names) -> Translate:
         current = queue.current_order_id
         parts = map(read_order, first_orders(queue.orders, current, id_name))
         orders = tuple(map(_order, parts))
-        fault = too_many(len(queue.orders), MOST_ORDERS, "orders")
+        fault = too_many(len(queue.orders), MOST_ORDERS, Message("orders"))
         echo = queue.request_id if isinstance(queue.request_id, int) else 0
         # None: no order of the list has that id.
         is_listed = any(order.serial == current for order in orders)
@@ -61,15 +62,15 @@ def read_graph(names: Names) -> Translate:
     def translate(robot: str, floor: str, msg: object, _at: float) -> events.Event:
         graph, faults = read(msg), list[str]()
         vertices = {}
-        for vertex in read_all(read_vertex, graph.vertices, "vertices", MOST_VERTICES, faults):
+        for vertex in read_all(read_vertex, graph.vertices, Message("vertices"), MOST_VERTICES, faults):
             x, y = vertex.x * scale, vertex.y * scale
             if not is_place(x, y):
-                faults.append(f"vertex {vertex.id} has no finite position")
+                faults.append(Message("vertex {id} has no finite position", id=vertex.id))
                 continue
             id_, role = str(vertex.id), Role(names.role(vertex.type))
             vertices[id_] = Vertex(id_, x, y, role, truncate(vertex.type, LONGEST_NAME))
         edges = []
-        for edge in read_all(read_edge, graph.edges, "edges", MOST_EDGES, faults):
+        for edge in read_all(read_edge, graph.edges, Message("edges"), MOST_EDGES, faults):
             start, end = str(edge.start), str(edge.end)
             lost = [one for one in (start, end) if one not in vertices]
             if lost:
@@ -77,7 +78,7 @@ def read_graph(names: Names) -> Translate:
                 continue
             edges.append(Edge(str(edge.id), start, end))
         routes = RouteGraph(vertices, tuple(edges), names.profile.directed)
-        fault = f"graph of {floor}: {faults[0]}" if faults else ""
+        fault = Message("graph of {floor}: {faults}", floor=floor, faults=faults[0]) if faults else EMPTY
         return events.GraphReceived(robot, floor, routes, len(faults), fault)
 
     return translate
@@ -91,7 +92,8 @@ def read_labels(names: Names) -> Translate:
         parts = read(msg).vertices
         found = map(read_label, parts[:MOST_LABELS])
         labels = {str(one.vertex_id): truncate(one.label, LONGEST_NAME) for one in found}
-        fault = f"labels of {floor}: {too_many(len(parts), MOST_LABELS, 'labels')}"
+        most = too_many(len(parts), MOST_LABELS, Message("labels"))
+        fault = Message("labels of {floor}: {most}", floor=floor, most=most)
         return events.LabelsReceived(robot, floor, labels, *((1, fault) if len(parts) > MOST_LABELS else ()))
 
     return translate

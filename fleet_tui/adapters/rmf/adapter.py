@@ -20,6 +20,7 @@ from fleet_tui.model import commands, events, kind
 from fleet_tui.model.commands import Command, Stage
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import SetUpCommand
+from fleet_tui.text.language import Message
 
 if TYPE_CHECKING:
     from fleet_tui.model.set_up.streams import StreamValue
@@ -140,9 +141,9 @@ class Rmf:
 
     def outcome(
         self, command: Command, values: object, result: bool, status: int | None = None
-    ) -> tuple[Stage, str]:
+    ) -> tuple[Stage, Message]:
         """Return the stage for an answer to a call: there are none."""
-        return Stage.UNKNOWN, "unrecognised reply"
+        return Stage.UNKNOWN, Message("unrecognised reply")
 
     def learned(
         self, call: ServiceCall, values: object, robot: Robot, sent_at: float, at: float

@@ -13,6 +13,7 @@ from fleet_tui.adapters.ros import messages as ros
 from fleet_tui.model import events
 from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleets.events import DispatchFailed, RequestAnswered
+from fleet_tui.text.language import Message
 from fleet_tui.text.limits import LONGEST_NAME, MOST_ORDERS, truncate
 
 RESPONDING = 2
@@ -79,7 +80,9 @@ def read_responses() -> Read:
         answer = decode(response.json_msg)
         stage = Stage.ACCEPTED if answer.success else Stage.REFUSED
         task = truncate(answer.state.booking.id, LONGEST_NAME) if answer.success else ""
-        reason = "" if answer.success else "; ".join(map(_error, answer.errors[:3])) or "no reason given"
+        reason = (
+            "" if answer.success else "; ".join(map(_error, answer.errors[:3])) or Message("no reason given")
+        )
         yield RequestAnswered(response.request_id.partition(".")[0], at, stage, truncate(reason), task)
 
     return facts
@@ -103,7 +106,9 @@ def read_dispatches() -> Read:
 
     def facts(robots: frozenset[str], msg: object, at: float) -> Iterable[events.Event]:
         message = read(msg)
-        for one in read_all(read_one, [*message.active, *message.finished], "tasks", MOST_ORDERS, []):
+        for one in read_all(
+            read_one, [*message.active, *message.finished], Message("tasks"), MOST_ORDERS, []
+        ):
             if why := REASONS.get(one.status):
                 errors = "; ".join(filter(None, map(_error, one.errors[:3])))
                 reason = ": ".join(filter(None, (why, errors)))

@@ -40,7 +40,7 @@ def discover(listed: Listed) -> Discovery:
                 continue  # not every site has them
             found.note(
                 "topics",
-                Message("{key}: no {topic} of type {type}", key=Message(key), topic=topic, type=type_),
+                Message("{key}: no {topic} of type {type}", key=key, topic=topic, type=type_),
             )
     if "building" not in found.topics:
         found.live_maps |= set(floors)

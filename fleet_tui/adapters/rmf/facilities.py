@@ -10,16 +10,23 @@ from fleet_tui.model import events
 from fleet_tui.model.fleets import facility
 from fleet_tui.model.fleets.events import FacilityReported
 from fleet_tui.model.fleets.facility import Facility
-from fleet_tui.text.language import Message, joined
+from fleet_tui.text.language import EMPTY, Message, joined
 from fleet_tui.text.limits import LONGEST_NAME, MOST_EDGES, truncate
 
-DOORS = ("closed", "moving", "open", "offline", "state unknown")
+DOORS = (Message("closed"), Message("moving"), Message("open"), Message("offline"), Message("state unknown"))
 """Modes of rmf_door_msgs/DoorMode, by number."""
-DOORS_OF_LIFTS = ("doors closed", "doors moving", "doors open")
-LIFT_MODES = ("mode unknown", "human mode", "", "fire mode", "offline", "emergency mode")
+DOORS_OF_LIFTS = (Message("doors closed"), Message("doors moving"), Message("doors open"))
+LIFT_MODES = (
+    Message("mode unknown"),
+    Message("human mode"),
+    EMPTY,
+    Message("fire mode"),
+    Message("offline"),
+    Message("emergency mode"),
+)
 """Modes of rmf_lift_msgs/LiftState, by number; empty: robots may use it."""
 FAULTS = frozenset({"fire mode", "offline", "emergency mode"})
-WORK = ("idle", "busy", "offline")
+WORK = (Message("idle"), Message("busy"), Message("offline"))
 """Modes of dispensers and ingestors, by number."""
 
 
@@ -110,8 +117,9 @@ def read_work(sort: str) -> Read:
             if 0.0 < one.seconds_remaining < 1e6
             else ""
         )
-        text = ", ".join(
-            filter(None, (mode, Message("{waiting} requests", waiting=waiting) if waiting > 1 else "", left))
+        text = joined(
+            ", ",
+            filter(None, (mode, Message("{waiting} requests", waiting=waiting) if waiting > 1 else "", left)),
         )
         yield from _event(robots, Facility(sort, one.guid, at, text, mode if mode in FAULTS else ""))
 
@@ -139,7 +147,7 @@ def _event(robots: frozenset[str], one: Facility) -> Iterable[events.Event]:
         )
 
 
-def _word(words: tuple[str, ...], number: int) -> str:
+def _word(words: tuple[Message, ...], number: int) -> Message:
     return words[number] if 0 <= number < len(words) else Message("mode {number}", number=number)
 
 

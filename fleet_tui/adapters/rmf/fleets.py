@@ -15,7 +15,7 @@ from fleet_tui.errors import WireError
 from fleet_tui.model import events
 from fleet_tui.model.fleets.events import MemberReported, StatusReported
 from fleet_tui.model.geometry import Pose
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import Message, message_of
 from fleet_tui.text.limits import LONGEST_NAME, truncate
 
 Read = Callable[[frozenset[str], object, float], Iterable[events.Event]]
@@ -112,7 +112,7 @@ def read_fleets() -> Read:
 
     def facts(robots: frozenset[str], msg: object, at: float) -> Iterable[events.Event]:
         message, faults = read(msg), list[str]()
-        for one in read_all(read_one, message.robots, "robots", MOST_ROBOTS, faults):
+        for one in read_all(read_one, message.robots, Message("robots"), MOST_ROBOTS, faults):
             if (robot := robot_name(message.name, one.name)) in robots:
                 yield _member(robot, one, at)
         if faults:
@@ -129,7 +129,7 @@ def _member(robot: str, one: MemberMessage, at: float) -> events.Event:
     try:
         pose, percent = _pose(place.x, place.y, place.yaw), _percent(one.battery_percent, 1.0)
     except WireError as problem:
-        return events.MessageRejected(robot, str(problem))
+        return events.MessageRejected(robot, message_of(problem))
     floor, task = truncate(place.level_name, LONGEST_NAME), truncate(one.task_id, LONGEST_NAME)
     return MemberReported(robot, at, pose, floor, place.t.seconds, percent, mode, task)
 
@@ -159,7 +159,7 @@ def read_statuses() -> Read:
                 try:
                     yield _status(robot, read_one(one), at)
                 except WireError as problem:
-                    yield events.MessageRejected(robot, str(problem))
+                    yield events.MessageRejected(robot, message_of(problem))
 
     return facts
 

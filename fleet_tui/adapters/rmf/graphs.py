@@ -13,7 +13,7 @@ from fleet_tui.adapters.ros import messages as ros
 from fleet_tui.adapters.ros.facts import is_place
 from fleet_tui.model import events
 from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.text.limits import LONGEST_NAME, MOST_EDGES, MOST_VERTICES, too_many, truncate
 
 ONE_WAY = 1
@@ -77,7 +77,7 @@ def read_graphs() -> Read:
         levels = _levels(message, faults)
         for level, (graph, labels) in levels.items():
             fault = (
-                Message("graph of {name}: {faults}", name=message.name, faults=faults[0]) if faults else ""
+                Message("graph of {name}: {faults}", name=message.name, faults=faults[0]) if faults else EMPTY
             )
             for robot in own:
                 yield events.GraphReceived(robot, level, graph, len(faults), fault)
@@ -92,12 +92,12 @@ def _levels(
     """Return graph and labels of each level. Lanes between levels are rides in a lift, and left out."""
     nodes = dict(_nodes(message, faults))
     read_lane = ros.reader(LaneMessage)
-    if more := too_many(len(message.edges), MOST_EDGES, "edges"):
+    if more := too_many(len(message.edges), MOST_EDGES, Message("edges")):
         faults.append(more)
     lanes = [
         (n, lane)  # closed lanes are named by the number that bad ones count for
         for n, part in enumerate(message.edges[:MOST_EDGES])
-        for lane in read_all(read_lane, [part], f"edges[{n}]", 1, faults)
+        for lane in read_all(read_lane, [part], Message("edges[{n}]", n=n), 1, faults)
         if lane.v1_idx in nodes and lane.v2_idx in nodes
     ]
     found = {}
@@ -114,7 +114,7 @@ def _nodes(message: NavGraphMessage, faults: list[str]) -> Iterator[tuple[int, t
     """Return level, vertex and label by index. A vertex goes by its label, as orders name it."""
     read_node, taken = ros.reader(NodeMessage), set[str]()
     for n, part in enumerate(message.vertices[:MOST_VERTICES]):
-        found = read_all(read_node, [part], f"vertices[{n}]", 1, faults)
+        found = read_all(read_node, [part], Message("vertices[{n}]", n=n), 1, faults)
         node = found[0] if found else None
         if node is None:
             continue

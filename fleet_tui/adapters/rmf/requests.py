@@ -16,7 +16,7 @@ from fleet_tui.model.navigation import Goal
 from fleet_tui.model.order import OrderState, Stop
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.goals import active
-from fleet_tui.text.language import in_english
+from fleet_tui.text.language import Message, in_english
 
 PREFIX = "fleet-tui-"
 DIGITS = 12
@@ -28,7 +28,7 @@ Json = Mapping[str, object]
 def order(names: Names, robot: Robot, command: PlaceOrder, unique: str) -> Sequence[Publication]:
     """Return the request of an order, to its robot or to any. Raises CommandError."""
     if not command.stops:
-        raise CommandError("an order needs a destination")
+        raise CommandError(Message("an order needs a destination"))
     places = [_place(robot, stop) for stop in command.stops]
     request = {
         "unix_millis_earliest_start_time": 0,
@@ -47,10 +47,15 @@ def order(names: Names, robot: Robot, command: PlaceOrder, unique: str) -> Seque
 def _place(robot: Robot, stop: Stop) -> str:
     """Return the name of a place. Raises CommandError for one without a name."""
     if stop.pose is not None:
-        raise CommandError("orders of this kind lead to named places only")
+        raise CommandError(Message("orders of this kind lead to named places only"))
     labels = (known.labels[stop.vertex] for known in robot.maps.values() if stop.vertex in known.labels)
     if (place := next(labels, "")) == "":
-        raise CommandError(f"vertex {stop.vertex} has no name: orders of this kind lead to named places only")
+        raise CommandError(
+            Message(
+                "vertex {vertex} has no name: orders of this kind lead to named places only",
+                vertex=stop.vertex,
+            )
+        )
     return place
 
 
@@ -69,7 +74,9 @@ def interrupt(names: Names, robot: Robot, unique: str) -> Sequence[Publication]:
     can't be paused."""
     found = [one for one in active(robot.goals) if one.state is OrderState.IN_PROCESS]
     if not found:
-        raise CommandError(f"{robot.name} has no task under way: an idle robot can't be paused")
+        raise CommandError(
+            Message("{name} has no task under way: an idle robot can't be paused", name=robot.name)
+        )
     asked = [{"type": "interrupt_task_request", "task_id": one.uuid, "labels": LABELS} for one in found]
     return _requests(names, unique, asked)
 
@@ -80,8 +87,8 @@ def resume(names: Names, robot: Robot, unique: str) -> Sequence[Publication]:
     held = [one for one in active(robot.goals) if one.state is OrderState.PAUSED]
     asked = [_resumption(one) for one in held if one.tokens]
     if not asked:
-        emergency = "its task is held by an emergency: it goes on when that ends"
-        raise CommandError(emergency if held else f"{robot.name} has no interrupted task")
+        emergency = Message("its task is held by an emergency: it goes on when that ends")
+        raise CommandError(emergency if held else Message("{name} has no interrupted task", name=robot.name))
     return _requests(names, unique, asked)
 
 
@@ -98,7 +105,7 @@ def _requests(names: Names, unique: str, asked: Sequence[Json]) -> Sequence[Publ
     """Return the messages; the ids of all but the first have a number after a dot."""
     topic, type_, id_ = names.topic("requests", ""), names.type("requests"), _id(unique)
     if not topic:
-        raise CommandError(f"{names.table}.topics.requests is empty")
+        raise CommandError(Message("{table}.topics.requests is empty", table=names.table))
     return [
         Publication(
             topic,

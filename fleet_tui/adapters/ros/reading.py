@@ -16,6 +16,7 @@ from fleet_tui.model import events
 from fleet_tui.model.counters import LinkCounter, Raw, TopicCounter
 from fleet_tui.model.link import ACTIONS_GLOB, SERVICES_GLOB
 from fleet_tui.model.navigation_events import OdometryReported, OriginReported
+from fleet_tui.text.language import Message
 from fleet_tui.text.limits import truncate
 
 if TYPE_CHECKING:
@@ -229,7 +230,10 @@ class FrameReader:
 
 
 def _rejected(feed: Feed, text: str) -> Sequence[events.Event]:
-    return tuple(events.MessageRejected(robot, f"{feed.address}: {text}") for robot in feed.robots)
+    return tuple(
+        events.MessageRejected(robot, Message("{address}: {text}", address=feed.address, text=text))
+        for robot in feed.robots
+    )
 
 
 def _of_none(found: Iterable[Any]) -> Sequence[events.Event]:

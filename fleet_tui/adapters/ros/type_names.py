@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 
 from fleet_tui.adapters.adapter import Feed
+from fleet_tui.text.language import EMPTY, Message
 
 _MIDDLES = ("/msg/", "/srv/", "/action/")
 
@@ -27,11 +28,17 @@ def _folded(name: str) -> str:
     return plain_type(name).replace("_", "").lower()
 
 
-def type_problem(feed: Feed, types: Mapping[str, str], table: str = "profile") -> str:
+def type_problem(feed: Feed, types: Mapping[str, str], table: str = "profile") -> Message:
     """Return the reason not to subscribe to a topic: with a wrong type it would be lost for every client.
     `types` by topic, as a bridge reports them; `table`: the config table of the profile."""
     found = types.get(feed.address)
     if found is None or same_type(found, feed.type):
-        return ""
+        return EMPTY
     keys = f"{table}.topics.{feed.key} or {table}.types.{feed.key}"
-    return f"{feed.address} has type {found}, not {feed.type}: correct {keys}"
+    return Message(
+        "{address} has type {found}, not {type}: correct {keys}",
+        address=feed.address,
+        found=found,
+        type=feed.type,
+        keys=keys,
+    )

@@ -7,6 +7,7 @@ from fleet_tui.errors import CommandError
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.order import Stop
 from fleet_tui.model.robot import Robot
+from fleet_tui.text.language import Message
 
 
 def pose_of_stop(robot: Robot, stop: Stop, before: Pose | None) -> Pose:
@@ -16,7 +17,11 @@ def pose_of_stop(robot: Robot, stop: Stop, before: Pose | None) -> Pose:
         return stop.pose
     robot_map = robot.maps.get(robot.floor or "")
     if robot_map is None or robot_map.graph is None or stop.vertex not in robot_map.graph.vertices:
-        raise CommandError(f"position of vertex {stop.vertex} unknown: no graph of its floor contains it")
+        raise CommandError(
+            Message(
+                "position of vertex {vertex} unknown: no graph of its floor contains it", vertex=stop.vertex
+            )
+        )
     vertex = robot_map.graph.vertices[stop.vertex]
     if before is None:
         return Pose(vertex.x, vertex.y)

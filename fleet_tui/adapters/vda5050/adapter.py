@@ -31,7 +31,7 @@ from fleet_tui.model.kind import CANCEL, CHARGE, CLEAR, ORDER, ORDER_TO, PAUSE, 
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import SetUpCommand, StartCharging
 from fleet_tui.model.vehicles.vehicle import START_CHARGING, STOP_CHARGING
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message
 
 if TYPE_CHECKING:
     from fleet_tui.model.set_up.streams import StreamValue
@@ -57,7 +57,7 @@ class VehicleAdapter:
         self.topics = Topics(self.settings.topic, self.settings.interface)
         self.site = site
         accepts = ROLES[site.role]
-        reason = Message("{role_key} is {role}", role_key=site.role_key, role=Message(site.role))
+        reason = Message("{role_key} is {role}", role_key=site.role_key, role=site.role)
         self.kind = Kind(
             "vda5050",
             REPORTS,
@@ -171,7 +171,9 @@ class VehicleAdapter:
         """Add whose message it is."""
         address = self.topics.parse(message.address)
         if address is None:
-            raise CommandError(f"{message.address!r} is no topic of {robot.name}")
+            raise CommandError(
+                Message("{address} is no topic of {name}", address=f"{message.address!r}", name=robot.name)
+            )
         whose = {"manufacturer": address.manufacturer, "serialNumber": address.serial}
         return message._replace(message={**whose, **message.message})
 
@@ -196,9 +198,9 @@ class VehicleAdapter:
 
     def outcome(
         self, command: commands.Command, values: object, result: bool, status: int | None = None
-    ) -> tuple[commands.Stage, str]:
+    ) -> tuple[commands.Stage, Message]:
         """Return an unknown outcome: a broker answers nothing, the vehicle's states do."""
-        return commands.Stage.UNKNOWN, ""
+        return commands.Stage.UNKNOWN, EMPTY
 
     def learned(
         self, call: ServiceCall, values: object, robot: Robot, sent_at: float, at: float

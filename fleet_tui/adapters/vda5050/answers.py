@@ -15,6 +15,7 @@ from fleet_tui.model.commands import (
 )
 from fleet_tui.model.set_up.commands import SetUpCommand, StartCharging
 from fleet_tui.model.vehicles.vehicle import Vehicle, VehicleError
+from fleet_tui.text.language import EMPTY, Message, verbatim
 
 NO_ORDER = "noOrderToCancel"
 """Type of an error that some vehicles report without a reference, and without a failed action."""
@@ -22,39 +23,41 @@ FINISHED = "FINISHED"
 FAILED = "FAILED"
 
 
-def answer(command: Command, id_: str, number: int, vehicle: Vehicle) -> tuple[Stage, str] | None:
+def answer(command: Command, id_: str, number: int, vehicle: Vehicle) -> tuple[Stage, Message] | None:
     """Return the stage that a command reached by a state after it, with the vehicle's text: SENT while it is
     being carried out, None if the state says nothing of it. `id_` is that of its order or action, `number`
     the header id of its message."""
     if isinstance(command, PlaceOrder) and vehicle.order_id == id_:
-        return Stage.ACCEPTED, ""  # errors that name it are of its way
+        return Stage.ACCEPTED, EMPTY  # errors that name it are of its way
     status = next((one for one in vehicle.actions if one.id == id_), None)
     if rejection := _rejection(command, id_, number, vehicle):
-        return Stage.REFUSED, rejection
+        return Stage.REFUSED, verbatim(rejection)
     is_done = status is not None and status.status == FINISHED
     match command:
         case CancelOrder() | ClearOrders():
             if is_done and not is_running(vehicle, is_cancelled=True):
-                return Stage.ACCEPTED, ""
+                return Stage.ACCEPTED, EMPTY
         case PauseRobot() | ResumeRobot() | StartCharging():
             reported = vehicle.charging if isinstance(command, StartCharging) else vehicle.paused
             wanted = not isinstance(command, ResumeRobot)
             if reported is wanted or (is_done and reported is not None):
-                return Stage.ACCEPTED, ""
+                return Stage.ACCEPTED, EMPTY
             if is_done:  # it has no word for its effect but this
-                return Stage.CONFIRMED, "action finished"
+                return Stage.CONFIRMED, Message("action finished")
         case PlaceOrder() | SetUpCommand():
             return None
         case _:
             assert_never(command)
-    return (Stage.SENT, "") if status is not None else None
+    return (Stage.SENT, EMPTY) if status is not None else None
 
 
 def failure_of(id_: str, vehicle: Vehicle) -> str:
     """Return the vehicle's text with which it rejects or fails an action, empty if it does not."""
     named = (error_text(error) for error in vehicle.errors if error.concerns(id_))
     failed = (
-        one.text or "action failed" for one in vehicle.actions if one.id == id_ and one.status == FAILED
+        one.text or Message("action failed")
+        for one in vehicle.actions
+        if one.id == id_ and one.status == FAILED
     )
     return next(named, "") or next(failed, "")
 

@@ -63,7 +63,7 @@ class Fields:
                     path=self._path,
                     name=name,
                     value=f"{value!r}",
-                    what=Message(what),
+                    what=what,
                 ),
                 LONGEST_NAME,
             )

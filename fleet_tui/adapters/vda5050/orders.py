@@ -60,7 +60,7 @@ def address_of(robot: Robot, name: str) -> tuple[str, str]:
     was never seen, and for orders of a version in which they are not written here."""
     seen = seen_of(robot)
     if seen is None:
-        raise NeverSeenError(f"{robot.name} was never seen: its version is unknown")
+        raise NeverSeenError(Message("{name} was never seen: its version is unknown", name=robot.name))
     version = seen.version or "2.0.0"
     major = major_of(version)
     if major is None:
@@ -71,7 +71,13 @@ def address_of(robot: Robot, name: str) -> tuple[str, str]:
         )
         raise NeverSeenError(said)
     if name == ORDER and major >= TAKES_NO_ORDERS:
-        raise CommandError(f"{robot.name} speaks VDA 5050 {version}, of which no orders are sent")
+        raise CommandError(
+            Message(
+                "{name} speaks VDA 5050 {version}, of which no orders are sent",
+                name=robot.name,
+                version=version,
+            )
+        )
     return with_name(seen.address, name), version
 
 
@@ -98,7 +104,9 @@ def is_field_open(settings: VehicleSettings, robot: Robot) -> bool:
 def cancel(settings: VehicleSettings, robot: Robot, order_id: str, unique: str) -> Publication:
     """Return the cancellation of the one order that a vehicle has. Raises CommandError for another one."""
     if not any(goal.id == order_id for goal in active(robot.goals)):
-        raise CommandError(f"unknown order {order_id}: see the queue of {robot.name}")
+        raise CommandError(
+            Message("unknown order {order_id}: see the queue of {name}", order_id=order_id, name=robot.name)
+        )
     return instant_action(settings, robot, "cancelOrder", unique)
 
 
@@ -201,7 +209,7 @@ def _floor_of(robot: Robot) -> str:
 def _route(robot: Robot, graph: RouteGraph, stops: Sequence[Stop]) -> list[Place]:
     """Return the nodes to drive over, the first where the vehicle is. Raises CommandError."""
     if not stops:
-        raise CommandError("an order needs a destination")
+        raise CommandError(Message("an order needs a destination"))
     places = [_start(robot, graph)]
     for n, stop in enumerate(stops):
         places += _leg(robot, graph, places[-1], stop, n)
@@ -217,7 +225,11 @@ def _start(robot: Robot, graph: RouteGraph) -> Place:
         return last, known.x, known.y
     if pose is None:
         if not last:
-            raise CommandError(f"{robot.name} reports neither a pose nor a node: an order has no first node")
+            raise CommandError(
+                Message(
+                    "{name} reports neither a pose nor a node: an order has no first node", name=robot.name
+                )
+            )
         return (last, known.x, known.y) if known else (last, None, None)
     here = (pose.x, pose.y)
     near = [(math.dist((one.x, one.y), here), one.id) for one in graph.vertices.values()]
@@ -233,12 +245,18 @@ def _leg(robot: Robot, graph: RouteGraph, start: Place, stop: Stop, number: int)
         yield _goal(number), stop.pose.x, stop.pose.y
         return
     if stop.vertex not in graph.vertices:
-        raise CommandError(f"position of node {stop.vertex} unknown: no graph of its floor contains it")
+        raise CommandError(
+            Message(
+                "position of node {vertex} unknown: no graph of its floor contains it", vertex=stop.vertex
+            )
+        )
     id_, x, y = start
     if id_ in graph.vertices:
         way = graph.path(id_, stop.vertex)
         if not way:
-            raise CommandError(f"no way from {id_} to {stop.vertex} on the graph")
+            raise CommandError(
+                Message("no way from {name} to {vertex} on the graph", name=id_, vertex=stop.vertex)
+            )
         way = way[1:]
     else:
         way = (stop.vertex,) if x is None or y is None else _from_nowhere(graph, (x, y), stop.vertex)

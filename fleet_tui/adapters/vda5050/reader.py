@@ -165,12 +165,18 @@ class MessageReader:
             read = tuple(READERS[address.name](origin, fields))
         except (WireError, RecursionError) as problem:  # a value may be too deep to be named or compared
             counter.failed(str(problem))
-            return (events.MessageRejected(robot, f"{truncate(message.topic)}: {problem}"),)
+            return (
+                events.MessageRejected(
+                    robot, Message("{truncate}: {problem}", truncate=truncate(message.topic), problem=problem)
+                ),
+            )
         if not fields.faults:
             return read
         text = "; ".join(fields.faults[:3])
         counter.failed(text)
-        return *read, events.MessageRejected(robot, f"{address.name}: {truncate(text)}")
+        return *read, events.MessageRejected(
+            robot, Message("{name}: {truncate}", name=address.name, truncate=truncate(text))
+        )
 
     def take_sent(self, message: BrokerMessage, at: float) -> None:
         """Remember what this console sent: not each broker returns it."""
@@ -185,12 +191,16 @@ class MessageReader:
             "a message of {size} MB exceeds the limit of {limit} MB: raise {key}",
             size=f"{size / 1000000.0:.1f}",
             limit=f"{limit:g}",
-            key=Message(key),
+            key=key,
         )
         found = self.whose(topic)
         if found is None:
             return (events.FrameRejected(self._link, text),)
-        return (events.MessageRejected(found[0], f"{truncate(topic)}: {text}"),)
+        return (
+            events.MessageRejected(
+                found[0], Message("{truncate}: {text}", truncate=truncate(topic), text=text)
+            ),
+        )
 
 
 def _counters(feeds: Iterable[Feed]) -> dict[str, TopicCounter]:

@@ -152,7 +152,9 @@ def _end(vehicle: Vehicle, actions: Sequence[VehicleAction]) -> tuple[OrderState
         return OrderState.FAILED, ""
     for one in actions:
         if one.status == "FAILED" and not one.is_beside:
-            return OrderState.FAILED, ": ".join(filter(None, (f"{one.type or 'action'} failed", one.text)))
+            return OrderState.FAILED, ": ".join(
+                filter(None, (Message("{value} failed", value=one.type or "action"), one.text))
+            )
     return OrderState.DONE, ""
 
 
@@ -175,7 +177,7 @@ def _pose(origin: MessageOrigin, message: Fields, name: str) -> Iterator[events.
     found, stamp = pose_of(message), stamp_of(message)
     text, number = message.text("timestamp"), message.number("headerId")
     if origin.memory.clock_stands(origin.robot, name, text, number, origin.at):
-        message.faults.append(Message("clock stands still: {text} in all messages", text=Message(text)))
+        message.faults.append(Message("clock stands still: {text} in all messages", text=text))
         stamp = None
     if found is not None:
         yield events.PoseReported(origin.robot, origin.at, *found, stamp)
@@ -231,7 +233,7 @@ def read_actions(origin: MessageOrigin, message: Fields) -> Iterator[events.Even
     found = message.parts(MOST_ACTIONS, "actions", "instantActions") or []
     for one in found:
         origin.memory.add_instant(one.text("actionId"), one.text("actionType"))
-    what = ", ".join(one.text("actionType") for one in found[:3]) or "instant actions"
+    what = ", ".join(one.text("actionType") for one in found[:3]) or Message("instant actions")
     yield MasterSeen(origin.robot, origin.at, what, tuple(one.text("actionId") for one in found))
 
 

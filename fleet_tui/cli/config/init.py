@@ -11,6 +11,7 @@ from fleet_tui.discovery.address import bridge_at
 from fleet_tui.discovery.site import DiscoveredSite, start_discovery
 from fleet_tui.discovery.vehicles import STATE_EVERY
 from fleet_tui.errors import FleetError
+from fleet_tui.text.language import Message
 
 
 def example() -> str:
@@ -42,9 +43,9 @@ def write(text: str, output: str, force: bool, say: Callable[[str], None]) -> No
         with Path(output).expanduser().open("x", encoding="utf-8") as file:
             file.write(text)
     except FileExistsError:
-        raise FleetError(f"{output} exists: overwrite with --force") from None
+        raise FleetError(Message("{output} exists: overwrite with --force", output=output)) from None
     except OSError as problem:
-        raise FleetError(f"{output}: {problem.strerror}") from None
+        raise FleetError(Message("{output}: {strerror}", output=output, strerror=problem.strerror)) from None
 
 
 def _listening(seconds: float) -> str:

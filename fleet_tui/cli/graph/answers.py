@@ -14,6 +14,7 @@ from fleet_tui.graph_files.graph_file import GraphFile, MissingChoiceError, Read
 from fleet_tui.graph_files.reading import format_named
 from fleet_tui.maps.graph_storage import load_graph_file
 from fleet_tui.model.graphs.document import GraphDocument
+from fleet_tui.text.language import Message
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import counted
 
@@ -60,7 +61,9 @@ def answered(make: Callable[[GraphAnswers], Made], answers: GraphAnswers) -> tup
 
 def _asked(missing: MissingChoiceError, answers: GraphAnswers) -> GraphAnswers:
     if not answers.is_terminal:
-        raise GraphError(f"{missing}: {missing.option} is missing") from None
+        raise GraphError(
+            Message("{missing}: {option} is missing", missing=missing, option=missing.option)
+        ) from None
     name = missing.option.removeprefix("--").replace("-", "_")
     kind: Any = click.Choice(missing.choices) if missing.choices else str
     if name == "building_graph":
@@ -92,7 +95,7 @@ def load(file: str, wanted: str | None, answers: GraphAnswers) -> tuple[GraphFil
         read, answers = answered(make, answers)
         found = replace(read, document=_chosen(read.document, answers.floor))
     except GraphError as problem:
-        raise GraphError(f"{file}: {problem}") from None
+        raise GraphError(Message("{file}: {problem}", file=file, problem=problem)) from None
     for note in found.notes:
         click.echo(sanitize(f"{file}: {note}"), err=True)
     return found, answers
@@ -108,7 +111,14 @@ def _chosen(document: GraphDocument, floor: str) -> GraphDocument:
         return document
     if floor not in document.floors:
         names = ", ".join(list(document.floors)[:10]) or "none"
-        raise GraphError(f"no floor {floor!r}{did_you_mean(floor, document.floors)}; it has {names}")
+        raise GraphError(
+            Message(
+                "no floor {floor}{did_you_mean}; it has {names}",
+                floor=f"{floor!r}",
+                did_you_mean=did_you_mean(floor, document.floors),
+                names=names,
+            )
+        )
     return document.only(floor) if len(document.floors) > 1 else document
 
 

@@ -17,6 +17,7 @@ from fleet_tui.maps.graph_storage import graph_text, save_graph_file
 from fleet_tui.model.graphs.document import GraphDocument, GraphFormat
 from fleet_tui.rules.graphs.finding import LintInputs
 from fleet_tui.rules.graphs.targets import of_target
+from fleet_tui.text.language import Message
 from fleet_tui.text.sanitize import sanitize
 
 
@@ -33,14 +34,14 @@ def convert(
     try:
         (format_, document, text), _ = answered(lambda given: _made(read, target, given), answers)
     except GraphError as problem:
-        raise GraphError(f"{source}: {problem}") from None
+        raise GraphError(Message("{source}: {problem}", source=source, problem=problem)) from None
     if _refused(document, format_, answers):
         return 1
     _list_losses(read, document, format_)
     try:
         kept = save_graph_file(Path(target), text)
     except GraphError as problem:
-        raise GraphError(f"{target}: {problem}") from None
+        raise GraphError(Message("{target}: {problem}", target=target, problem=problem)) from None
     old = f"; the old file is {kept.name}" if kept else ""
     say(sanitize(f"{target}: {format_.value}, {graph_counts(document)}{old}"))
     return 0
@@ -64,7 +65,11 @@ def _format_of(target: str) -> GraphFormat:
     if (named := named_format(path.name)) is not None:
         return named
     choices = tuple(one.value for one in WRITERS)
-    raise MissingChoiceError(f"no format is known for {path.name}: {', '.join(choices)}", "--to", choices)
+    raise MissingChoiceError(
+        Message("no format is known for {name}: {choices}", name=path.name, choices=", ".join(choices)),
+        "--to",
+        choices,
+    )
 
 
 def _existing(path: Path) -> GraphFormat | None:

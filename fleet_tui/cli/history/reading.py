@@ -14,6 +14,7 @@ from fleet_tui.errors import FleetError
 from fleet_tui.history.database import history_path, is_empty, opened_to_read
 from fleet_tui.history.reading import History
 from fleet_tui.log_file import state_folder
+from fleet_tui.text.language import Message
 
 
 def site_of(config_file: str | None, url: str | None) -> Config:
@@ -35,14 +36,16 @@ def history_of_site(config: Config) -> Iterator[History]:
                 raise FleetError(_missing(config, path))
             yield History(database)
     except sqlite3.Error as problem:
-        raise FleetError(f"{path}: {problem}") from None
+        raise FleetError(Message("{path}: {problem}", path=path, problem=problem)) from None
 
 
-def _missing(config: Config, path: Path) -> str:
+def _missing(config: Config, path: Path) -> Message:
     site = str(config.path) if config.path.suffix else config.rosbridge.shown
     if not config.history.days:
-        return f"{site}: the history is switched off: set days in [history]"
-    return (
-        f"no history of {site} yet ({path}): an open console writes it, as do `fleet-tui record` and "
-        "`fleet-tui history --collect`"
+        return Message("{site}: the history is switched off: set days in [history]", site=site)
+    return Message(
+        "no history of {site} yet ({path}): an open console writes it, as do `fleet-tui record`"
+        " and `fleet-tui history --collect`",
+        site=site,
+        path=path,
     )

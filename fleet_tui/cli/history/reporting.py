@@ -23,6 +23,7 @@ from fleet_tui.rules.history.division import divided
 from fleet_tui.rules.history.shift import NOT_DRIVEN, causes_of, counted, outages_of, robots_of
 from fleet_tui.rules.history.timeline import main_activities, shares
 from fleet_tui.storage.whole_file import write_whole
+from fleet_tui.text.language import Message
 from fleet_tui.view.report.axis import LocalTime
 from fleet_tui.view.report.content import Claim, Handover, ReportContent
 from fleet_tui.view.report.heat import FloorHeat, around
@@ -42,7 +43,7 @@ def write_report(config: Config, history: History, since: float, until: float, p
     try:
         write_whole(path, document, is_shared=True)
     except OSError as problem:
-        raise FleetError(f"{path}: {problem.strerror}") from None
+        raise FleetError(Message("{path}: {strerror}", path=path, strerror=problem.strerror)) from None
     return len(document)
 
 

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from fleet_tui.errors import MapError
 from fleet_tui.model.grid import OccupancyGrid
+from fleet_tui.text.language import Message
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.drawing import Drawing
 from fleet_tui.view.map.ground.raster import ground
@@ -48,7 +49,16 @@ def numbered_text(grid: OccupancyGrid, part: Part, width: int, height: int, draw
     extent = grid.frame.width, grid.frame.height
     if not (column < extent[0] and row < extent[1] and across > 0.0 and down > 0.0):
         size = f"{extent[0]} x {extent[1]} px"
-        raise MapError(f"--part {column:g} {row:g} {across:g} {down:g} has no pixels of the map of {size}")
+        raise MapError(
+            Message(
+                "--part {column} {row} {across} {down} has no pixels of the map of {size}",
+                column=f"{column:g}",
+                row=f"{row:g}",
+                across=f"{across:g}",
+                down=f"{down:g}",
+                size=size,
+            )
+        )
     area = column, row, column + max(across, 1.0), row + max(down, 1.0)
     lines = min(height - 1, Camera.lines_of(extent, width - MARGIN, area))
     camera = Camera.fit(extent, width - MARGIN, max(1, lines), area)

@@ -9,6 +9,7 @@ from fleet_tui.config.schema import Config
 from fleet_tui.errors import FleetError, LinkError, MapError, did_you_mean
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.grid import OccupancyGrid
+from fleet_tui.text.language import Message
 from fleet_tui.text.sanitize import sanitize
 
 SCHEMES = ("ws://", "wss://")
@@ -23,9 +24,13 @@ def map_from(source: str, floor: str, seconds: float) -> tuple[OccupancyGrid, st
 
         return _live(chosen(None, source), floor, seconds)
     if floor:
-        raise MapError("--floor is for the address of a bridge: a file has one map")
+        raise MapError(Message("--floor is for the address of a bridge: a file has one map"))
     if is_picture(source):
-        raise MapError(sanitize(f"{Path(source).name} has no scale: `fleet-tui map place` gives it one"))
+        raise MapError(
+            sanitize(
+                Message("{name} has no scale: `fleet-tui map place` gives it one", name=Path(source).name)
+            )
+        )
     return map_file(Path(source)), Path(source).name
 
 
@@ -47,9 +52,13 @@ def map_file(path: Path) -> OccupancyGrid:
 def _live(config: Config, floor: str, seconds: float) -> tuple[OccupancyGrid, str]:
     names = [one.name for one in config.floors]
     if floor and floor not in names:
-        raise MapError(f"unknown floor {floor}{did_you_mean(floor, names)}")
+        raise MapError(
+            Message(
+                "unknown floor {floor}{did_you_mean}", floor=floor, did_you_mean=did_you_mean(floor, names)
+            )
+        )
     if not floor and len(names) != 1:
-        raise MapError(f"several floors: choose one with --floor: {', '.join(names)}")
+        raise MapError(Message("several floors: choose one with --floor: {names}", names=", ".join(names)))
     floor = floor or names[0]
     with session(config) as (link, store):
         return _received(link, store, floor, seconds), floor
@@ -64,8 +73,10 @@ def _received(link: FleetLink, store: WaitingStore, floor: str, seconds: float) 
         if (grid := _grid(store, name, floor)) is not None:
             return grid
     if not has_link(store.state):
-        raise LinkError("no link to the bridge")
-    raise FleetError(f"no live map of {floor} within {seconds:g} s")
+        raise LinkError(Message("no link to the bridge"))
+    raise FleetError(
+        Message("no live map of {floor} within {seconds} s", floor=floor, seconds=f"{seconds:g}")
+    )
 
 
 def _has_grid(store: WaitingStore, robot: str, floor: str, _: FleetState) -> bool:

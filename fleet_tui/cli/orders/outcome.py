@@ -8,6 +8,7 @@ from fleet_tui.model.commands import Command, CommandRecord, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.rules.language.grammar import written
 from fleet_tui.text.details import detail_text
+from fleet_tui.text.language import Message
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.commands import command_text
 
@@ -54,7 +55,11 @@ def ended(state: FleetState, record: CommandRecord, waited: float) -> Outcome:
     elif not record.is_decided:
         why = f"last stage {outcome} {words}".strip()
         outcome = Stage.UNKNOWN.value
-        words = f"{why}; no further report within {waited:.0f} s: may still be carried out"
+        words = Message(
+            "{why}; no further report within {waited} s: may still be carried out",
+            why=why,
+            waited=f"{waited:.0f}",
+        )
     seconds = round(step.at - record.issued_at, 3) if record.is_decided else None
     return _outcome(state, record.command, outcome, words, code, record.order_id, seconds)
 

@@ -29,6 +29,7 @@ from fleet_tui.rules.commands.abilities import unaccepted
 from fleet_tui.rules.commands.checks import acceptable, problems
 from fleet_tui.rules.commands.local_queue import clearable
 from fleet_tui.rules.commands.set_up.losses import set_up_losses
+from fleet_tui.text.language import Message, counted, joined
 
 LINK_WITHIN = 5.0
 """Maximum seconds to wait for a link and for a robot's reports."""
@@ -50,14 +51,16 @@ def losses(state: FleetState, request: Request) -> Iterator[Problem]:
     for command in request.commands:
         robot = state.robots.get(command.robot)
         if isinstance(command, ClearOrders) and robot is not None and (count := len(clearable(state, robot))):
-            text = f"{robot.name} would lose {count} order{'s' * (count != 1)}"
+            text = counted(
+                "{name} would lose {count} order", "{name} would lose {count} orders", count, name=robot.name
+            )
             yield Problem("losses", text, blocks=False)
         elif isinstance(command, CancelGoal):  # like an order's cancel, it loses nothing else
             continue
         elif isinstance(command, SetUpCommand) and robot is not None:
             lines = list(set_up_losses(state, robot, command))
             # The command is named before it, where the console asks a question.
-            yield from [Problem("losses", ", ".join(lines[1:] or lines), blocks=False)] if lines else []
+            yield from [Problem("losses", joined(", ", lines[1:] or lines), blocks=False)] if lines else []
 
 
 def unattended(state: FleetState, request: Request) -> Iterator[Problem]:
@@ -65,7 +68,9 @@ def unattended(state: FleetState, request: Request) -> Iterator[Problem]:
     for command in request.commands:
         robot = state.robots.get(command.robot)
         if isinstance(command, PlaceOrder) and robot and robot.kind.gives_stops and len(command.stops) > 1:
-            text = f"{robot.name} takes one stop at a time: use --until-done to send the others"
+            text = Message(
+                "{name} takes one stop at a time: use --until-done to send the others", name=robot.name
+            )
             yield Problem("unattended", text)
 
 
@@ -196,7 +201,13 @@ class Sending:
                 is_held = "state" in absent and any(
                     isinstance(one, PlaceOrder) and one.robot == name for one in asked
                 )
-                found.append(Problem("missing", f"{name}: {', '.join(absent)} missing", blocks=is_held))
+                found.append(
+                    Problem(
+                        "missing",
+                        Message("{name}: {absent} missing", name=name, absent=", ".join(absent)),
+                        blocks=is_held,
+                    )
+                )
         return [problem for problem in found if problem.blocks or not self._how.yes]
 
     def _hold_back(self, commands: Sequence[Command], wrong: list[Problem]) -> Iterator[Outcome]:
@@ -262,7 +273,11 @@ class Sending:
         """Never send an order that still waits at the time limit, unless it leaves just now."""
         record = self._records.get(command_id)
         if record is not None and record.stage is Stage.WAITING:
-            words = f"waited {record.detail} until --timeout {self._how.timeout:g}"
+            words = Message(
+                "waited {detail} until --timeout {timeout}",
+                detail=record.detail,
+                timeout=f"{self._how.timeout:g}",
+            )
             self.link.post(CommandAdvanced(command_id, Stage.NOT_SENT, time.monotonic(), words))
             self.store.wait(lambda _: self._records[command_id].stage is not Stage.WAITING, HANDOVER)
 

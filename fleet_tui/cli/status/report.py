@@ -20,7 +20,7 @@ from fleet_tui.situation.fact import Fact
 from fleet_tui.situation.facts import OBSTACLE
 from fleet_tui.situation.links import behind, dead_commands, late_link, no_link, untried_commands
 from fleet_tui.situation.robots import absence, blocked_robots
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import translate
 from fleet_tui.text.limits import some
 from fleet_tui.text.units import counted
 from fleet_tui.view.roles import StyleRole
@@ -159,7 +159,7 @@ def _first_news(state: FleetState, name: str) -> Iterator[str]:
     robot = state.robots[name]
     urgent = (text for text, role in news(state, robot) if role is not StyleRole.DIM)
     text = next(urgent, "")
-    if text and not (missing(robot) and text == tr(missing_text(state, robot, "pose"))):
+    if text and not (missing(robot) and text == translate(missing_text(state, robot, "pose"))):
         yield f"{name}: {text}"
 
 

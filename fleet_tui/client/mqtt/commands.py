@@ -30,7 +30,7 @@ from fleet_tui.model.vehicles.vehicle import Vehicle, VehicleError
 from fleet_tui.rules.commands.abilities import unaccepted
 from fleet_tui.rules.commands.checks import CHECKS
 from fleet_tui.rules.commands.masters import VEHICLE_CHECKS, other_master
-from fleet_tui.text.language import Message, in_english
+from fleet_tui.text.language import EMPTY, Message, in_english, message_of
 from fleet_tui.text.limits import truncate
 from fleet_tui.transports.mqtt.connection import BrokerConnection
 
@@ -82,6 +82,9 @@ class HeldOrder:
     timer: "asyncio.Task[None]"
 
 
+LINK_LOST = Message("link lost")
+
+
 class VehicleCommands:
     """Sends commands, and reports their progress. Runs on the network loop."""
 
@@ -117,7 +120,7 @@ class VehicleCommands:
         if held is not None and held.command_id == command_id:
             return  # from this console's queue, where it waits as well
         if not isinstance(command, ResumeRobot):
-            self._interrupt(command.robot, "another command came")
+            self._interrupt(command.robot, Message("another command came"))
         if isinstance(command, PauseRobot) and not self._is_seen(command.robot):
             self._start(self._pause_unseen(command_id, command, given_at))
             return
@@ -126,7 +129,7 @@ class VehicleCommands:
             if not (isinstance(command, PlaceOrder) and self._holds(command_id, command, late)):
                 self._send(command_id, command, given_at)
         except (LinkError, CommandError) as problem:
-            self._advance(command_id, Stage.NOT_SENT, str(problem))
+            self._advance(command_id, Stage.NOT_SENT, message_of(problem))
 
     def _holds(self, command_id: int, command: PlaceOrder, late: float) -> bool:
         """Ask a vehicle for its first state, or end its charging, if its order needs that; tell whether the
@@ -143,7 +146,7 @@ class VehicleCommands:
                 name=robot.name,
                 timeout=f"{self._timeout:g}",
             )
-            self._hold(command_id, command, late, "", unmet, "for a state")
+            self._hold(command_id, command, late, "", unmet, Message("for a state"))
             return True
         freeing = self._adapters[robot.name].stop_charging(robot, uuid.uuid4().hex)
         if freeing is None:
@@ -155,7 +158,7 @@ class VehicleCommands:
             name=robot.name,
             timeout=f"{self._timeout:g}",
         )
-        self._hold(command_id, command, late, freeing.name, unmet, "for the end of its charge")
+        self._hold(command_id, command, late, freeing.name, unmet, Message("for the end of its charge"))
         return True
 
     def _is_stated(self, robot: Robot) -> bool:
@@ -164,7 +167,7 @@ class VehicleCommands:
         return robot.vehicle is not None and robot.vehicle.at >= since
 
     def _hold(
-        self, command_id: int, command: PlaceOrder, late: float, stop: str, unmet: str, awaited: str
+        self, command_id: int, command: PlaceOrder, late: float, stop: str, unmet: Message, awaited: Message
     ) -> None:
         """Keep an order in this console's queue until `on_state` sends it; not sent in time, it has the
         reason `unmet`."""
@@ -185,19 +188,17 @@ class VehicleCommands:
             for problem in check(state, robot, command)
         }
 
-    def _give_up(self, robot: str, reason: str) -> None:
+    def _give_up(self, robot: str, reason: Message) -> None:
         """Do not send the order that is held for a vehicle, if there is one."""
         if (held := self._held.pop(robot, None)) is not None:
             held.timer.cancel()
             self._advance(held.command_id, Stage.NOT_SENT, reason)
 
-    def _interrupt(self, robot: str, why: str) -> None:
+    def _interrupt(self, robot: str, why: Message) -> None:
         """Do not send the order that is held for a vehicle, because of what happened meanwhile."""
         if (held := self._held.get(robot)) is not None:
-            told = Message("{why} after it was told to stop charging", why=Message(why))
-            self._give_up(
-                robot, told if held.stop else Message("{why} before its first state", why=Message(why))
-            )
+            told = Message("{why} after it was told to stop charging", why=why)
+            self._give_up(robot, told if held.stop else Message("{why} before its first state", why=why))
 
     def _release(self, held: HeldOrder) -> None:
         """Send an order that was held, if nothing speaks against it that its operator did not know."""
@@ -216,7 +217,7 @@ class VehicleCommands:
                 # It waited by intent: only what delayed it before counts.
                 self._send(held.command_id, held.command, time.monotonic() - held.late)
         except (LinkError, CommandError) as problem:
-            self._advance(held.command_id, Stage.NOT_SENT, str(problem))
+            self._advance(held.command_id, Stage.NOT_SENT, message_of(problem))
 
     def _is_seen(self, name: str) -> bool:
         robot = self._writer.store.state.robots[name]
@@ -250,7 +251,7 @@ class VehicleCommands:
 
     async def _pause_unseen(self, command_id: int, command: PauseRobot, given_at: float) -> None:
         """Pause a vehicle as soon as it is known where it listens."""
-        late, reason = time.monotonic() - given_at, ""
+        late, reason = time.monotonic() - given_at, EMPTY
         arrived = self._unseen.setdefault(command.robot, asyncio.Event())
         for patience in (ADDRESSED_WITHIN, SEEN_WITHIN - ADDRESSED_WITHIN):
             with suppress(TimeoutError):
@@ -259,9 +260,9 @@ class VehicleCommands:
                 # It waits by intent: only what delayed it before counts.
                 self._send(command_id, command, time.monotonic() - late)
             except NeverSeenError as problem:
-                reason = str(problem)
+                reason = message_of(problem)
             except (LinkError, CommandError) as problem:
-                reason = str(problem)
+                reason = message_of(problem)
                 break
             else:
                 return
@@ -273,7 +274,7 @@ class VehicleCommands:
         numbers = [self._publish(message) for message in messages]
         message, number = messages[0], numbers[0]
         name = message.name if isinstance(command, PlaceOrder) else ""
-        self._writer.apply(CommandAdvanced(command_id, Stage.SENT, time.monotonic(), "", name))
+        self._writer.apply(CommandAdvanced(command_id, Stage.SENT, time.monotonic(), EMPTY, name))
         timer = call_awake(self._timeout, partial(self._overdue, message.name))
         robot = self._writer.store.state.robots[command.robot]
         before = robot.vehicle.value.errors if robot.vehicle is not None else ()
@@ -288,16 +289,18 @@ class VehicleCommands:
         found = self._adapters[robot.name].outgoing(command, command_id, robot, uuid.uuid4().hex)
         messages = [one for one in found if isinstance(one, Publication)]
         if len(messages) != len(found):
-            raise CommandError("a broker carries only messages")
+            raise CommandError(Message("a broker carries only messages"))
         return messages
 
     def _check(self, command: Command, late: float) -> None:
         """Raise CommandError or LinkError if a command must not be sent."""
         if late > LATEST:
-            raise CommandError(f"console busy for {late:.1f} s: repeat the command")
+            raise CommandError(Message("console busy for {late} s: repeat the command", late=f"{late:.1f}"))
         # A pause is tried even if other commands are held back: it can only make things safer.
         if not isinstance(command, PauseRobot) and self._connection.silence > LONGEST_SILENCE:
-            raise LinkError(f"no reply from the broker for {self._connection.silence:.1f} s")
+            raise LinkError(
+                Message("no reply from the broker for {silence} s", silence=f"{self._connection.silence:.1f}")
+            )
         state = self._writer.store.state
         robot = state.robots[command.robot]
         if reason := unaccepted(state, command) or other_master(time.monotonic(), robot, command):
@@ -360,7 +363,7 @@ class VehicleCommands:
             asked.timer.cancel()
             asked.timer = call_awake(self._timeout, partial(self._overdue, id_))
 
-    def _end(self, id_: str, stage: Stage, detail: str) -> None:
+    def _end(self, id_: str, stage: Stage, detail: Message) -> None:
         asked = self._asked.pop(id_)
         asked.timer.cancel()
         if isinstance(asked.command, PlaceOrder) and stage is Stage.ACCEPTED:
@@ -376,32 +379,32 @@ class VehicleCommands:
             return
         asked.is_late = True
         asked.timer = call_awake(LATE_ANSWER, partial(self._overdue, id_))
-        why = ""
+        why = EMPTY
         if asked.complaints:
             why = Message(", and it reports {error_text}", error_text=error_text(asked.complaints[0]))
         elif not asked.is_echoed:
-            why = ", and the broker did not pass it on (rights?)"
+            why = Message(", and the broker did not pass it on (rights?)")
         elif not isinstance(asked.command, PlaceOrder) and self._is_field_open(asked.command.robot):
-            why = ', or it needs instant_actions = "instantActions" in [profile.vda5050]'
+            why = Message(', or it needs instant_actions = "instantActions" in [profile.vda5050]')
         detail = Message(
             "from {robot} in {timeout} s{why}: may still be carried out",
             robot=asked.command.robot,
             timeout=f"{self._timeout:g}",
-            why=Message(why),
+            why=why,
         )
         self._advance(asked.command_id, Stage.NO_ANSWER, detail)
 
     def _is_field_open(self, name: str) -> bool:
         return is_field_open(self._adapters[name].settings, self._writer.store.state.robots[name])
 
-    def on_lost(self, why: str = "link lost") -> None:
+    def on_lost(self, why: Message = LINK_LOST) -> None:
         """End every open command: its answer may have been missed."""
         for robot in list(self._held):
             self._interrupt(robot, why)
         for id_ in list(self._asked):
-            self._end(id_, Stage.UNKNOWN, "link lost before the reply: may still be carried out")
+            self._end(id_, Stage.UNKNOWN, Message("link lost before the reply: may still be carried out"))
 
-    def _advance(self, command_id: int, stage: Stage, detail: str) -> None:
+    def _advance(self, command_id: int, stage: Stage, detail: Message) -> None:
         level = logging.INFO if stage in (Stage.ACCEPTED, Stage.CONFIRMED) else logging.WARNING
         LOG.log(level, "command %d: %s %s", command_id, stage.value, truncate(detail))
         self._writer.apply(CommandAdvanced(command_id, stage, time.monotonic(), detail))

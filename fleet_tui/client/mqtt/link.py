@@ -10,6 +10,7 @@ from fleet_tui.errors import CommandError
 from fleet_tui.model.commands import Command
 from fleet_tui.model.kind import DRIVE
 from fleet_tui.model.set_up.driving import HandDrive
+from fleet_tui.text.language import Message
 
 
 class BrokerLink:
@@ -56,7 +57,7 @@ class BrokerLink:
         self._writer.loop.call_soon_threadsafe(self._close)
 
     def _close(self) -> None:
-        self._telemetry.commands.on_lost("console closed")
+        self._telemetry.commands.on_lost(Message("console closed"))
         self._telemetry.connection.shut()
 
 

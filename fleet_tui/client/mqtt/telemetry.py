@@ -21,6 +21,7 @@ from fleet_tui.rules.rates.attention import Intervals
 from fleet_tui.rules.rates.plan import RatePlan
 from fleet_tui.rules.rates.wanted import FULL, intervals
 from fleet_tui.state.store import Store
+from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.text.limits import truncate
 from fleet_tui.transports.loop import wait_for_turn
 from fleet_tui.transports.mqtt.connection import BrokerConnection
@@ -82,7 +83,7 @@ class VehicleTelemetry:
         self._pacing.begin(time.monotonic())
         self._is_open = True
         self._writer.apply(events.LinkChanged(self._link, time.monotonic(), Phase.UP))
-        self._set_path(CommandPath.UNTRIED, "", True)
+        self._set_path(CommandPath.UNTRIED, EMPTY, True)
         self._subscribe(filter(self._pacing.is_wanted, self._feeds.values()))
 
     def extend(self, config: Config, adapters: Mapping[str, Adapter]) -> None:
@@ -106,7 +107,7 @@ class VehicleTelemetry:
         except LinkError as problem:
             LOG.info("subscribing: %s", problem)
 
-    def on_lost(self, reason: str, next_try_in: float) -> None:
+    def on_lost(self, reason: Message, next_try_in: float) -> None:
         """Report the loss, and end open commands."""
         now = time.monotonic()
         self._is_open = False
@@ -122,14 +123,18 @@ class VehicleTelemetry:
         returned, topic = self.commands.returned, (feed.robot, feed.key)
         (returned.add if granted else returned.discard)(topic)
         if not granted and feed.key not in OF_MASTERS:
-            self._take(events.MessageRejected(feed.robot, f"{pattern}: {REFUSED}"))
+            self._take(
+                events.MessageRejected(
+                    feed.robot, Message("{pattern}: {refused}", pattern=pattern, refused=REFUSED)
+                )
+            )
 
     def on_answer(self, seconds: float) -> None:
         """Take the broker's answer to a sign of life."""
         now = time.monotonic()
         self.counter.round_trips.take(seconds, now)
         self._writer.apply(events.BridgeAnswered(self._link, now, seconds))
-        self._set_path(CommandPath.ALIVE, "", True)
+        self._set_path(CommandPath.ALIVE, EMPTY, True)
 
     def on_message(self, topic: str, payload: bytes, retained: bool) -> None:
         """Read a message, and apply its events."""
@@ -185,7 +190,7 @@ class VehicleTelemetry:
             self._logged.add(text)
             LOG.warning("%s", text)
 
-    def _set_path(self, path: CommandPath, reason: str, connected: bool) -> None:
+    def _set_path(self, path: CommandPath, reason: Message, connected: bool) -> None:
         if self._path != (path, reason, connected):
             self._path = path, reason, connected
             self._writer.apply(events.CommandPathChanged(self._link, path, reason, connected))

@@ -23,6 +23,7 @@ from fleet_tui.errors import WireError
 from fleet_tui.model.commands import Command, Stage
 from fleet_tui.model.events import CallNotAllowed
 from fleet_tui.model.link import SERVICES_GLOB
+from fleet_tui.text.language import Message, message_of
 
 LOG = logging.getLogger(__name__)
 
@@ -59,7 +60,7 @@ class Answers:
         adapters: Mapping[str, Adapter],
         writer: Writer,
         timeout: float,
-        advance: Callable[[int, Stage, str], None],
+        advance: Callable[[int, Stage, Message], None],
     ) -> None:
         """`timeout` of an answer in seconds; `adapters` by robot."""
         self._link = link
@@ -87,16 +88,16 @@ class Answers:
         command: Command,
         calls: Sequence[tuple[ServiceCall, PendingCall]],
         sent_at: float,
-    ) -> tuple[Stage, str] | None:
+    ) -> tuple[Stage, Message] | None:
         """Return the worst of the answers; None if one never came, which is reported."""
         adapter = self._adapters[command.robot]
-        ends = list[tuple[Stage, str]]()
+        ends = list[tuple[Stage, Message]]()
         try:
             for outgoing, call in calls:
                 try:
                     response = await self._answer(command_id, call)
                 except NotAllowedError as problem:
-                    ends.append((Stage.NOT_SENT, str(problem)))
+                    ends.append((Stage.NOT_SENT, message_of(problem)))
                     continue
                 self._learn(command, outgoing, response, sent_at)
                 ends.append(adapter.outcome(command, response.values, response.result))
@@ -104,11 +105,11 @@ class Answers:
         except NoAnswerError:
             return None
         except LinkLostError as problem:
-            return Stage.UNKNOWN, str(problem)
+            return Stage.UNKNOWN, message_of(problem)
         except Exception as problem:
             # Whatever fails here, the operator must see that the result of this command is unknown.
             LOG.exception("command %d", command_id)
-            return Stage.UNKNOWN, f"internal error: {problem}"
+            return Stage.UNKNOWN, Message("internal error: {problem}", problem=problem)
         finally:
             for _, call in calls:
                 self._calls.forget(call)
@@ -127,7 +128,7 @@ class Answers:
             return await self._calls.wait(call, self._timeout)
         except NoAnswerError as problem:
             self.check_allowed(call.service)
-            self._advance(command_id, Stage.NO_ANSWER, str(problem))
+            self._advance(command_id, Stage.NO_ANSWER, message_of(problem))
         with suppress(NoAnswerError):
             return await self._calls.wait(call, OVERDUE)
         if await self._calls.answers_all(PROBE) and not call.answer.done():

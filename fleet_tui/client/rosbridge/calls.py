@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from fleet_tui.adapters.ros import operations
 from fleet_tui.client.patience import awake, timed
 from fleet_tui.errors import LinkError
+from fleet_tui.text.language import Message
 from fleet_tui.transports.rosbridge.connection import Connection
 
 GRACE = 1.0
@@ -84,7 +85,13 @@ class Calls:
         finally:
             patience.cancel()
         if not call.answer.done():
-            raise NoAnswerError(f"from {call.service} in {within:g} s: may still be carried out")
+            raise NoAnswerError(
+                Message(
+                    "from {service} in {within} s: may still be carried out",
+                    service=call.service,
+                    within=f"{within:g}",
+                )
+            )
         return call.answer.result()
 
     async def answers_all(self, within: float) -> bool:
@@ -143,7 +150,13 @@ class Calls:
             async with asyncio.timeout(within):
                 await self._places.acquire()
         except TimeoutError:
-            raise NoAnswerError(f"from {service}: rosapi left others unanswered for {within:g} s") from None
+            raise NoAnswerError(
+                Message(
+                    "from {service}: rosapi left others unanswered for {within} s",
+                    service=service,
+                    within=f"{within:g}",
+                )
+            ) from None
 
     def _leave_place(self, call_id: str) -> None:
         """Give the place of a question back: it is answered, was dropped, or lost."""
@@ -166,5 +179,7 @@ class Calls:
             self._leave_place(call_id)
         for answer in self._pending.values():
             if not answer.done():
-                answer.set_exception(LinkLostError("link lost before the reply: may still be carried out"))
+                answer.set_exception(
+                    LinkLostError(Message("link lost before the reply: may still be carried out"))
+                )
                 answer.exception()  # whoever waited may have been stopped by the same loss

@@ -29,7 +29,7 @@ from fleet_tui.model.events import CommandAdvanced
 from fleet_tui.model.link import CommandPath
 from fleet_tui.model.set_up.commands import Settle, SetUpCommand
 from fleet_tui.rules.commands.local_queue import withdrawn
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message, message_of
 from fleet_tui.text.limits import truncate
 from fleet_tui.transports.rosbridge.connection import Connection
 
@@ -97,12 +97,12 @@ class CommandChannel:
         self._heartbeat.start()
         self._publishing.start()
 
-    def on_lost(self, reason: str, next_try_in: float) -> None:
+    def on_lost(self, reason: Message, next_try_in: float) -> None:
         """End every open command: its answer can't arrive any more."""
         self._calls.on_lost()
         self._settling.on_lost()
         self._publishing.stop()
-        self._heartbeat.stop(reason or "connection lost")
+        self._heartbeat.stop(reason or Message("connection lost"))
 
     def on_frame(self, payload: bytes, is_binary: bool) -> None:
         """Take a frame: only answers arrive here."""
@@ -169,7 +169,7 @@ class CommandChannel:
             waits = [self._publishing.prepare(one) for one in outgoing if isinstance(one, Publication)]
             await asyncio.gather(check_listeners(self._calls, outgoing), asyncio.sleep(max(waits, default=0)))
         except (LinkError, CommandError) as problem:
-            self._advance(command_id, Stage.NOT_SENT, str(problem))
+            self._advance(command_id, Stage.NOT_SENT, message_of(problem))
             return False
         return True
 
@@ -184,7 +184,7 @@ class CommandChannel:
                 return
             calls = self._send(outgoing)
         except (LinkError, CommandError) as problem:
-            self._advance(command_id, Stage.NOT_SENT, str(problem))
+            self._advance(command_id, Stage.NOT_SENT, message_of(problem))
             return
         names = [one.name for one in outgoing if isinstance(one, Publication)]
         self._advance(command_id, Stage.SENT, at=at, name=names[0] if names else "")
@@ -195,7 +195,7 @@ class CommandChannel:
         elif any(isinstance(one, Publication) and one.is_request for one in outgoing):
             self._keep(call_awake(self._timeout, partial(self._not_answered, command_id)))
         elif not isinstance(command, PlaceOrder):  # which is taken when the robot lists it
-            self._advance(command_id, Stage.ACCEPTED, UNANSWERED if outgoing else "")
+            self._advance(command_id, Stage.ACCEPTED, UNANSWERED if outgoing else EMPTY)
 
     def _not_answered(self, command_id: int) -> None:
         """Report a request whose answer did not arrive in time, on its topic."""
@@ -226,22 +226,29 @@ class CommandChannel:
         """Return the outgoing calls and publications of a command. Raises CommandError or LinkError if it
         must not be sent."""
         if late > LATEST:
-            raise CommandError(f"console busy for {late:.1f} s: repeat the command")
+            raise CommandError(Message("console busy for {late} s: repeat the command", late=f"{late:.1f}"))
         # A pause is tried even if other commands are held back: it can only make things safer.
         if not isinstance(command, PauseRobot):
             if self._heartbeat.path is CommandPath.DEAD:
-                raise LinkError(f"no link for commands: {self._heartbeat.reason}")
+                raise LinkError(Message("no link for commands: {reason}", reason=self._heartbeat.reason))
             silent = self._silence()
             if silent > LONGEST_SILENCE:
                 # A command sent into a frozen connection may be delivered, and obeyed, much later.
-                raise LinkError(f"no message from the bridge for {silent:.1f} s")
+                raise LinkError(Message("no message from the bridge for {silent} s", silent=f"{silent:.1f}"))
         outgoing = self._made(command, command_id)
         for one in outgoing:
             if not isinstance(command, PauseRobot):
                 self._answers.check_allowed(one.address)
             if mismatch := self._services.mismatch(one.address):
                 table = self._adapters[command.robot].names.table
-                raise CommandError(f"{mismatch}: correct [{table}.services], or [{table}.service_types]")
+                raise CommandError(
+                    Message(
+                        "{mismatch}: correct [{table}.services], or [{table2}.service_types]",
+                        mismatch=mismatch,
+                        table=table,
+                        table2=table,
+                    )
+                )
         return [one for one in outgoing if not self._lacks_server(one)]
 
     def _made(self, command: Command, command_id: int) -> Sequence[Outgoing]:
@@ -264,11 +271,16 @@ class CommandChannel:
                 case Publication():
                     self._publishing.send(one)
                 case ActionGoal():
-                    raise CommandError("goals are sent one at a time")
+                    raise CommandError(Message("goals are sent one at a time"))
         return calls
 
     def _advance(
-        self, command_id: int, stage: Stage, detail: str = "", at: float | None = None, name: str = ""
+        self,
+        command_id: int,
+        stage: Stage,
+        detail: Message = EMPTY,
+        at: float | None = None,
+        name: str = "",
     ) -> None:
         level = logging.INFO if stage in (Stage.SENT, Stage.ACCEPTED) else logging.WARNING
         LOG.log(level, "command %d: %s %s", command_id, stage.value, truncate(detail))

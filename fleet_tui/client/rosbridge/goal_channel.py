@@ -17,6 +17,7 @@ from fleet_tui.errors import LinkError
 from fleet_tui.model.commands import Command, Stage
 from fleet_tui.model.navigation_events import GoalAnswered
 from fleet_tui.rules.commands.local_queue import withdrawn
+from fleet_tui.text.language import EMPTY, Message, message_of
 from fleet_tui.transports.rosbridge.connection import Connection
 
 LOG = logging.getLogger(__name__)
@@ -50,7 +51,9 @@ class GoalChannel:
     def send(self, command_id: int, goal: ActionGoal) -> None:
         """Send a goal now or not at all. Raises LinkError."""
         if not self.connection.is_connected:
-            raise LinkError(f"no link for goals: {self._reason or 'bridge not responding'}")
+            raise LinkError(
+                Message("no link for goals: {reason}", reason=self._reason or "bridge not responding")
+            )
         # A paused order is sent again: the end of its previous goal is not the end of this one.
         self._commands = {id_: other for id_, other in self._commands.items() if other != command_id}
         goal_id = f"goal:{command_id}:{next(self._numbers)}"
@@ -100,7 +103,7 @@ class Goals:
         bridge: Link,
         adapters: Mapping[str, Adapter],
         writer: Writer,
-        advance: Callable[[int, Stage, str], None],
+        advance: Callable[[int, Stage, Message], None],
     ) -> None:
         self._link = link
         self._bridge = bridge
@@ -128,9 +131,9 @@ class Goals:
         try:
             channel.send(command_id, goal)
         except LinkError as problem:
-            self._advance(command_id, Stage.NOT_SENT, str(problem))
+            self._advance(command_id, Stage.NOT_SENT, message_of(problem))
             return
-        self._advance(command_id, Stage.SENT, "")
+        self._advance(command_id, Stage.SENT, EMPTY)
 
     def _take(self, command_id: int, result: operations.GoalResult) -> None:
         """Take the end of a goal: a refusal ends its command, all else is reported beside its state."""

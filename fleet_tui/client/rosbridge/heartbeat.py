@@ -12,7 +12,7 @@ from fleet_tui.errors import LinkError
 from fleet_tui.model.counters import RoundTrips
 from fleet_tui.model.events import CommandPathChanged
 from fleet_tui.model.link import HALF_DEAD, NO_REPLY, NOT_ADMITTED, UNASKED, UNPROVEN, CommandPath
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.text.limits import some
 
 EVERY = 2.0
@@ -25,7 +25,9 @@ LOOK_EVERY = 8
 """Beats between two checks of the services: a quick restart of the master goes unnoticed otherwise."""
 HALF_DEAD_AFTER = 1.5
 """Seconds without a message on any topic after which a bridge of which no node answers is half dead."""
-NO_NODE = "ROS knows no node, not even the bridge: start rosapi, or restart the bridge and the robots' nodes"
+NO_NODE = Message(
+    "ROS knows no node, not even the bridge: start rosapi, or restart the bridge and the robots' nodes"
+)
 """As after a restart of the ROS master: what was connected before goes on."""
 
 
@@ -58,10 +60,10 @@ class Heartbeat:
         self._answered_at = 0.0
         self._task: asyncio.Task[None] | None = None
         self.path = CommandPath.UNTRIED
-        self.reason = ""
+        self.reason = EMPTY
         services.changed = self._refresh
 
-    def _set(self, path: CommandPath, reason: str = "") -> None:
+    def _set(self, path: CommandPath, reason: Message = EMPTY) -> None:
         self.path = path
         self.reason = reason
         change = CommandPathChanged(self._link, path, reason, self._connected)
@@ -76,7 +78,7 @@ class Heartbeat:
         self._set(self.path, self.reason)
         self._task = asyncio.ensure_future(self._beat())
 
-    def stop(self, reason: str) -> None:
+    def stop(self, reason: Message) -> None:
         """Stop: the connection is lost."""
         self.close()
         self._connected = False
@@ -97,7 +99,7 @@ class Heartbeat:
         message = response.values if isinstance(response.values, str) else ""
         if "unable to communicate with master" in message.lower():
             self._services.on_master_lost()
-            self._set(CommandPath.DEAD, "no ROS master")
+            self._set(CommandPath.DEAD, Message("no ROS master"))
             return
         was_dead, self.path = self.path is CommandPath.DEAD, CommandPath.ALIVE
         self._refresh()
@@ -110,7 +112,7 @@ class Heartbeat:
             return
         gone, absent = self._services.unregistered, self._services.without_any
         if self._services.is_total:
-            self._set(CommandPath.UNREGISTERED, "robot nodes not registered: restart them")
+            self._set(CommandPath.UNREGISTERED, Message("robot nodes not registered: restart them"))
         elif gone:
             self._set(
                 CommandPath.UNREGISTERED,

@@ -12,6 +12,7 @@ from fleet_tui.client.rosbridge.calls import Calls, NoAnswerError
 from fleet_tui.client.rosbridge.pulse import is_unknown
 from fleet_tui.config.fleet import Service
 from fleet_tui.errors import LinkError
+from fleet_tui.text.language import Message
 from fleet_tui.text.limits import truncate
 
 LOG = logging.getLogger(__name__)
@@ -161,7 +162,9 @@ class Services:
             return ""
         # Another node may offer it by now: the next call uses the current type.
         self.query()
-        return f"{service} has type {found}, not {expected}"
+        return Message(
+            "{service} has type {found}, not {expected}", service=service, found=found, expected=expected
+        )
 
     def lacks_server(self, action: str) -> bool:
         """Tell whether rosapi lists the action servers, and this one is not among them."""

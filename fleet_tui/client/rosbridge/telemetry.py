@@ -200,7 +200,7 @@ class Telemetry:
         self._soundings.start()
         self._lifecycle.start()
 
-    def on_lost(self, reason: str, next_try_in: float) -> None:
+    def on_lost(self, reason: Message, next_try_in: float) -> None:
         """Report the loss, and stop open work."""
         self._subscriber.stop()
         self.services.stop()

@@ -15,7 +15,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.rules.language.edges import edge_named, edge_text
 from fleet_tui.rules.language.words import find_robot, tokens
 from fleet_tui.rules.routes.impact import closed_edge_at, cut_orders
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message, joined, message_of
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.impact import impact_lines, impact_text
 
@@ -35,7 +35,7 @@ class DeskCommands:
         self,
         parts: SetUpParts,
         files: ConsoleFiles,
-        post: Callable[[Event], str],
+        post: Callable[[Event], Message],
         clock: Callable[[float], str],
     ) -> None:
         self._parts = parts
@@ -49,12 +49,12 @@ class DeskCommands:
         verb = verb.casefold()
         if verb not in USAGE:
             return None
-        if problem := self._parts.dispatch.desk_refusal() if verb != "desk" else "":
-            return Typed(problem=problem)
+        if refusal := self._parts.dispatch.desk_refusal() if verb != "desk" else EMPTY:
+            return Typed(problem=refusal)
         try:
             return Typed([self._entry(verb, words)], self._completed(verb, words))
         except CommandError as problem:
-            return Typed(completed=self._completed(verb, words), problem=sanitize(str(problem)))
+            return Typed(completed=self._completed(verb, words), problem=sanitize(message_of(problem)))
 
     def _entry(self, verb: str, words: list[str]) -> Entry:
         match verb, words:
@@ -67,8 +67,8 @@ class DeskCommands:
             case "open", [start, end]:
                 return self._open(self._edge(start, end))
             case "desk", []:
-                return "Desk: who is there, claims, closed edges", self.menu
-        raise CommandError(f"usage: {USAGE[verb]}")
+                return Message("Desk: who is there, claims, closed edges"), self.menu
+        raise CommandError(Message("usage: {usage}", usage=USAGE[verb]))
 
     def _completed(self, verb: str, words: list[str]) -> list[str]:
         state, typed = self._parts.store.state, words[-1] if words else ""
@@ -95,9 +95,15 @@ class DeskCommands:
         state = self._parts.store.state
         robot = find_robot(word, state).name
         if not state.desk.me:
-            raise CommandError("no desk: set [desk] folder in the configuration")
+            raise CommandError(Message("no desk: set [desk] folder in the configuration"))
         if names := state.desk.other_holders(robot):
-            raise CommandError(f"{robot} is claimed by {' and '.join(names)}: ask for its release")
+            raise CommandError(
+                Message(
+                    "{robot} is claimed by {names}: ask for its release",
+                    robot=robot,
+                    names=" and ".join(names),
+                )
+            )
         return Message("Claim {robot}: others are asked before they command it", robot=robot), partial(
             self._do, RobotClaimed(robot), "claimed", Message("claimed {robot}", robot=robot)
         )
@@ -106,7 +112,7 @@ class DeskCommands:
         state = self._parts.store.state
         robot = find_robot(word, state).name
         if robot not in state.desk.claims:
-            raise CommandError(f"{robot} is not claimed by this console")
+            raise CommandError(Message("{robot} is not claimed by this console", robot=robot))
         return Message("Release {robot}", robot=robot), partial(
             self._do, RobotReleased(robot), "released", Message("released {robot}", robot=robot)
         )
@@ -114,20 +120,22 @@ class DeskCommands:
     def _close(self, ends: Ends) -> Entry:
         named = edge_text(self._robot, ends)
         impact = impact_text(cut_orders(self._parts.store.state, ends))
-        done = f"closed {named}: {impact}" + ("" if self._files.desk else ", not shared: no desk")
-        return Message("Close {named}: {impact}", named=named, impact=Message(impact)), partial(
+        done = Message("closed {named}: {impact}", named=named, impact=impact)
+        if not self._files.desk:
+            done += Message(", not shared: no desk")
+        return Message("Close {named}: {impact}", named=named, impact=impact), partial(
             self._do, EdgeClosed(ends, time.time()), "edge closed", done
         )
 
     def _open(self, ends: Ends) -> Entry:
         named = edge_text(self._robot, ends)
         if all(edge.ends != ends for edge in self._parts.store.state.desk.closed):
-            raise CommandError(f"{named} is not closed")
+            raise CommandError(Message("{named} is not closed", named=named))
         return Message("Open {named}", named=named), partial(
             self._do, EdgeOpened(ends), "edge opened", Message("opened {named}", named=named)
         )
 
-    def _do(self, event: Event, change: str, done: str) -> None:
+    def _do(self, event: Event, change: str, done: Message) -> None:
         """Apply a change, and write it to the audit log."""
         if problem := self._post(event):
             self._parts.notices.say(problem)
@@ -146,43 +154,47 @@ class DeskCommands:
         cut = cut_orders(state, edge.ends)
         lines = [f"{edge_text(robot, edge.ends)}: {impact_text(cut)}", *impact_lines(state, cut)]
         entries: list[Entry] = [] if self._parts.dispatch.desk_refusal() else [self._open(edge.ends)]
-        self._parts.open_menu("\n".join(map(sanitize, lines)), [*entries, ("Close this", lambda: None)])
+        self._parts.open_menu(
+            joined("\n", map(sanitize, lines)), [*entries, (Message("Close this"), lambda: None)]
+        )
         return True
 
     def menu(self) -> None:
         """List who is at the desk, with the way to what each looks at, and closed edges."""
         desk = self._parts.store.state.desk
         if not desk.me and not desk.closed:
-            self._parts.notices.say("no desk: set [desk] folder in the configuration")
+            self._parts.notices.say(Message("no desk: set [desk] folder in the configuration"))
             return
-        mine = f"{desk.me} (this console)" + _claims(desk.claims)
-        title = f"Desk: {sanitize(mine) if desk.me else 'none'}"
+        mine = Message("{me} (this console){claims}", me=desk.me, claims=_claims(desk.claims))
+        title = Message("Desk: {mine}", mine=sanitize(mine) if desk.me else Message("none"))
         if not desk.others and desk.me:
-            title += "\nnobody else is there"
+            title += "\n" + Message("nobody else is there")
         for edge in desk.closed:
             named = Message(
                 "{edge_text} on {ends}", edge_text=edge_text(self._robot, edge.ends), ends=edge.ends[0]
             )
-            title += "\n" + sanitize(
-                f"closed {self._clock(edge.wall)} by {edge.by or 'this console'}: {named}"
+            by = edge.by or Message("this console")
+            closed = Message(
+                "closed {time} by {by}: {named}", time=self._clock(edge.wall), by=by, named=named
             )
+            title += "\n" + sanitize(closed)
         self._parts.open_menu(title, list(self._entries()), searched=True)
 
     def _entries(self) -> Iterator[Entry]:
         state, find = self._parts.store.state, self._parts.navigation.find_robot
         for one in state.desk.others:
-            looks = Message(" looks at {robot}", robot=one.robot) if one.robot in state.robots else ""
+            looks = Message(" looks at {robot}", robot=one.robot) if one.robot in state.robots else EMPTY
             there = Message(
                 "{name}, console on {host}{looks}{claims}",
                 name=one.name,
                 host=one.host,
-                looks=Message(looks),
-                claims=Message(_claims(one.claims)),
+                looks=looks,
+                claims=_claims(one.claims),
             )
             yield sanitize(there), partial(find, one.robot) if looks else (lambda: None)
         if not state.desk.others:
-            yield "Close", lambda: None
+            yield Message("Close"), lambda: None
 
 
-def _claims(robots: tuple[str, ...]) -> str:
-    return Message(", claims {robots}", robots=", ".join(robots)) if robots else ""
+def _claims(robots: tuple[str, ...]) -> Message:
+    return Message(", claims {robots}", robots=", ".join(robots)) if robots else EMPTY

@@ -17,7 +17,7 @@ from fleet_tui.rules.commands.set_up.checks import map_of
 from fleet_tui.rules.driving.entry import drive_refusal
 from fleet_tui.rules.driving.hold import Hand
 from fleet_tui.rules.driving.speed import FIRST, Caps, faster, slowed, wanted
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import age
 from fleet_tui.view.map.map_picture import MapPicture
@@ -79,7 +79,7 @@ class DriveJournal:
         self._linear = max(self._linear, speeds.linear)
         self._angular = max(self._angular, abs(speeds.turning))
 
-    def end(self, reason: str, at: float) -> None:
+    def end(self, reason: Message, at: float) -> None:
         """Note the end of the drive."""
         most = Message(
             "at most {linear} m/s and {angular} rad/s",
@@ -91,7 +91,7 @@ class DriveJournal:
             Message(
                 "{robot}: {reason}, after {age}, {most}",
                 robot=self._robot,
-                reason=Message(reason),
+                reason=reason,
                 age=age(at - self._began),
                 most=most,
             ),
@@ -167,9 +167,9 @@ class DriveControls:
     def _caps(self) -> Caps:
         return Caps(self._limits.max_linear, self._limits.max_angular)
 
-    def _refusal(self) -> str:
+    def _refusal(self) -> Message:
         if not self._is_shown():
-            return "no map in view: close the camera (V), or enlarge the terminal"
+            return Message("no map in view: close the camera (V), or enlarge the terminal")
         return self._parts.dispatch.set_up_refusal() or drive_refusal(self._parts.store.state, self._robot)
 
     def start(self) -> None:
@@ -189,12 +189,12 @@ class DriveControls:
         """Begin, checked again: much may have changed during the question."""
         try:
             if self._parts.navigation.robot != name:
-                raise CommandError("another robot is selected")
+                raise CommandError(Message("another robot is selected"))
             if refusal := self._refusal():
                 raise CommandError(refusal)
             self.drive = self._backend.drive(name)
         except CommandError as problem:
-            self._parts.notices.say(sanitize(f"not driven: {problem}"))
+            self._parts.notices.say(sanitize(Message("not driven: {problem}", problem=problem)))
             return
         self._hand, self._share, self._steered, self._looked = Hand(), FIRST, False, self._clock()
         self._journal.begin(name, self._clock())
@@ -203,7 +203,12 @@ class DriveControls:
         self._followed = view.follow
         view.follow = True
         mode = DriveMode(
-            name, floor, self._caps, self._passes, self.stop, lambda: self.end("the map lost the focus")
+            name,
+            floor,
+            self._caps,
+            self._passes,
+            self.stop,
+            lambda: self.end(Message("the map lost the focus")),
         )
         self._controls.enter(mode)
         self._tell_releases(True)
@@ -247,14 +252,14 @@ class DriveControls:
         self._steer()
 
     def leave(self) -> None:
-        self.end("left by key")
+        self.end(Message("left by key"))
 
-    def end(self, reason: str) -> None:
+    def end(self, reason: Message) -> None:
         """Stop and leave for a reason; do nothing if no robot is driven."""
         self._end_drive(reason)
         self._leave_mode()
 
-    def _end_drive(self, reason: str) -> None:
+    def _end_drive(self, reason: Message) -> None:
         mode = self.mode
         if self.drive is None or mode is None:
             return
@@ -267,7 +272,7 @@ class DriveControls:
                 Message(
                     "{robot} is not driven any more: {reason}",
                     robot=mode.robot,
-                    reason=Message(drive.state.reason),
+                    reason=drive.state.reason,
                 )
             )
         )
@@ -285,8 +290,10 @@ class DriveControls:
             return
         late, self._looked = now - self._looked > LATEST, now
         if drive is not None:
-            ended = drive.state.reason if drive.state.phase is DrivePhase.ENDED else ""
-            if reason := self._reason_to_end(mode, scene) or ("the screen was late" if late else ended):
+            ended = drive.state.reason if drive.state.phase is DrivePhase.ENDED else EMPTY
+            if reason := self._reason_to_end(mode, scene) or (
+                Message("the screen was late") if late else ended
+            ):
                 self._end_drive(reason)
                 self._pressed = now
             else:
@@ -296,11 +303,11 @@ class DriveControls:
         if self.drive is None and now - self._pressed > LET_GO:
             self._leave_mode()
 
-    def _reason_to_end(self, mode: DriveMode, scene: Scene) -> str:
+    def _reason_to_end(self, mode: DriveMode, scene: Scene) -> Message:
         if self._parts.navigation.robot != mode.robot:
-            return "another robot"
+            return Message("another robot")
         if scene.floor != mode.floor:
-            return "another floor"
+            return Message("another floor")
         return self._refusal()
 
     def _steer(self) -> None:

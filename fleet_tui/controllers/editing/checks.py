@@ -16,9 +16,8 @@ from fleet_tui.rules.graphs.difference import GraphChange, difference
 from fleet_tui.rules.graphs.finding import GraphFinding, LintInputs
 from fleet_tui.rules.graphs.lint import lint
 from fleet_tui.rules.graphs.reach import longest_detour
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import Message, counted, joined
 from fleet_tui.text.sanitize import sanitize
-from fleet_tui.text.units import counted
 
 LOG = logging.getLogger(__name__)
 LISTED = 200
@@ -67,7 +66,7 @@ class DraftChecks:
         """Return the check of a draft, None while it is under way; say so."""
         if self._last is not None and self._last.floor is floor:
             return self._last
-        self._parts.notices.say("the draft is being checked: press again")
+        self._parts.notices.say(Message("the draft is being checked: press again"))
         return None
 
     def inputs(self, floor: DocumentFloor) -> LintInputs:
@@ -89,11 +88,22 @@ class DraftChecks:
         if opened is None or (checked := self.of(opened[0].floor)) is None:
             return
         entries: list[Entry] = [
-            (sanitize(f"{'error' if one.is_error else 'warning'}: {one.text}"), partial(self._go_to, one))
+            (
+                Message(
+                    "{kind}: {text}",
+                    kind=Message("error") if one.is_error else Message("warning"),
+                    text=sanitize(one.text),
+                ),
+                partial(self._go_to, one),
+            )
             for one in checked.found[:LISTED]
         ]
-        title = f"{counts_text(checked.found) or 'no findings'}, {checked.ways}"
-        self._parts.open_menu(title, entries or [("Nothing to mend", lambda: None)], searched=True)
+        title = Message(
+            "{counts_text}, {ways}",
+            counts_text=counts_text(checked.found) or Message("no findings"),
+            ways=checked.ways,
+        )
+        self._parts.open_menu(title, entries or [(Message("Nothing to mend"), lambda: None)], searched=True)
 
     def compare(self) -> None:
         """List the differences from the live graph; each entry goes to its place."""
@@ -102,11 +112,17 @@ class DraftChecks:
             return
         changes = self.changes(opened[0].floor)
         entries: list[Entry] = [
-            (sanitize(f"{one.kind} {one.text}"), partial(self._go_to_change, one)) for one in changes[:LISTED]
+            (
+                Message("{kind} {text}", kind=Message(one.kind), text=sanitize(one.text)),
+                partial(self._go_to_change, one),
+            )
+            for one in changes[:LISTED]
         ]
-        title = f"{counted(len(changes), 'difference')} from the live graph"
+        title = counted(
+            "{count} difference from the live graph", "{count} differences from the live graph", len(changes)
+        )
         self._parts.open_menu(
-            title, entries or [("The draft is the live graph", lambda: None)], searched=True
+            title, entries or [(Message("The draft is the live graph"), lambda: None)], searched=True
         )
 
     def changes(self, floor: DocumentFloor) -> tuple[GraphChange, ...]:
@@ -130,7 +146,7 @@ class DraftChecks:
         start = draft.floor.edges[mode.edge].start if mode.edge else vertex
         at = draft.floor.vertices.get(start)
         if at is None:
-            self._parts.notices.say("it is not in the draft any more")
+            self._parts.notices.say(Message("it is not in the draft any more"))
             return
         mode.selected = "" if mode.edge else start
         mode.cursor = (at.x, at.y)
@@ -145,7 +161,7 @@ def _checked(floor: DocumentFloor, inputs: LintInputs) -> Checked:
         return Checked(floor, found, _ways(floor, inputs, found))
     except Exception:  # it must not end the checks for good
         LOG.exception("check of a draft")
-        failed = GraphFinding("check", "the check itself failed: see the log", True)
+        failed = GraphFinding("check", Message("the check itself failed: see the log"), True)
         return Checked(floor, (failed,), "ways not checked")
 
 
@@ -153,13 +169,17 @@ def _ways(floor: DocumentFloor, inputs: LintInputs, found: tuple[GraphFinding, .
     """Return the number of reachable labels, and the longest detour between two."""
     graph, labels = route_graph(floor, inputs.roles)
     lost = sum(finding.rule == "reach" for finding in found)
-    text = f"{len(labels) - lost} of {counted(len(labels), 'label')} reachable"
+    text = Message(
+        "{reachable} of {labels} reachable",
+        reachable=len(labels) - lost,
+        labels=counted("{count} label", "{count} labels", len(labels)),
+    )
     if (detour := longest_detour(graph, labels)) is None:
         return text
     start, end = (sanitize(labels[id_]) for id_ in (detour.start, detour.end))
     return Message(
         "{text}, longest detour {start} -> {end}: {metres} m for {straight} m",
-        text=Message(text),
+        text=text,
         start=start,
         end=end,
         metres=f"{detour.metres:.0f}",
@@ -167,18 +187,22 @@ def _ways(floor: DocumentFloor, inputs: LintInputs, found: tuple[GraphFinding, .
     )
 
 
-def short_counts(found: tuple[GraphFinding, ...]) -> str:
+def short_counts(found: tuple[GraphFinding, ...]) -> Message:
     """Return the numbers of errors and warnings for the map's title, empty without any: `1E 2W`."""
     errors = sum(one.is_error for one in found)
     counts = ((errors, "E"), (len(found) - errors, "W"))
-    return " ".join(f"{count}{letter}" for count, letter in counts if count)
+    return joined(" ", (f"{count}{letter}" for count, letter in counts if count))
 
 
-def counts_text(found: tuple[GraphFinding, ...]) -> str:
+def counts_text(found: tuple[GraphFinding, ...]) -> Message:
     """Return the numbers of errors and warnings, empty without any."""
     errors = sum(one.is_error for one in found)
-    counts = ((errors, "error"), (len(found) - errors, "warning"))
-    return ", ".join(counted(count, name) for count, name in counts if count)
+    warnings = len(found) - errors
+    counts = (
+        counted("{count} error", "{count} errors", errors) if errors else "",
+        counted("{count} warning", "{count} warnings", warnings) if warnings else "",
+    )
+    return joined(", ", filter(None, counts))
 
 
 def _elevators(state: FleetState, floor: str) -> frozenset[str] | None:

@@ -95,7 +95,7 @@ class GraphDrawing:
             return
         draft, mode, scene = opened
         if not mode.selected:
-            self._notices.say("select the vertex that the edge begins at: cursor on it, Enter")
+            self._notices.say(Message("select the vertex that the edge begins at: cursor on it, Enter"))
             return
         end, new = self._taken(draft, mode, scene), None
         ids = draft.free_ids()
@@ -103,7 +103,7 @@ class GraphDrawing:
             end = next(ids)
             new = edits.added(DocumentVertex(end, *self._place(draft, mode, scene)))
         if end == mode.selected:
-            self._notices.say("move the cursor to the vertex that the edge ends at")
+            self._notices.say(Message("move the cursor to the vertex that the edge ends at"))
             return
         there = edits.edge_between(draft.floor, mode.selected, end)
         if there is not None:
@@ -134,7 +134,7 @@ class GraphDrawing:
         mode.selected = vertex
         mode.edge = edge
         if not (vertex or edge):
-            self._notices.say("nothing here: i adds a vertex")
+            self._notices.say(Message("nothing here: i adds a vertex"))
         self._editor.refresh()
 
     def clicked(self, dragged: bool) -> None:
@@ -147,17 +147,21 @@ class GraphDrawing:
         """List the actions on the selected element."""
         if mode.edge:
             edge = draft.floor.edges[mode.edge]
-            ways = "both ways" if edge.two_way else "one way"
-            told = f"{edge.start} -> {edge.end}, {ways}, {values_text(edge)}"
-            entries: list[Entry] = [
-                ("Direction (d)", self.turn),
-                ("Speed", partial(self._parts.begin, f"{SPEED} ")),
-                ("Cost", partial(self._parts.begin, f"{COST} ")),
-                ("Remove (x)", self.remove),
-            ]
-            self._parts.open_menu(
-                sanitize(Message("edge {id}: {told}", id=edge.id, told=Message(told))), entries
+            ways = Message("both ways") if edge.two_way else Message("one way")
+            told = Message(
+                "{start} -> {end}, {ways}, {values_text}",
+                start=edge.start,
+                end=edge.end,
+                ways=ways,
+                values_text=values_text(edge),
             )
+            entries: list[Entry] = [
+                (Message("Direction (d)"), self.turn),
+                (Message("Speed"), partial(self._parts.begin, f"{SPEED} ")),
+                (Message("Cost"), partial(self._parts.begin, f"{COST} ")),
+                (Message("Remove (x)"), self.remove),
+            ]
+            self._parts.open_menu(sanitize(Message("edge {id}: {told}", id=edge.id, told=told)), entries)
             return
         vertex = draft.floor.vertices[mode.selected]
         heading = (
@@ -165,7 +169,12 @@ class GraphDrawing:
             if vertex.heading is None
             else Message("{degrees} degrees", degrees=f"{math.degrees(vertex.heading):.0f}")
         )
-        told = f"{vertex.label or 'no label'}, type {vertex.type or 'none'}, heading {heading}"
+        told = Message(
+            "{label}, type {type}, heading {heading}",
+            label=vertex.label or "no label",
+            type=vertex.type or "none",
+            heading=heading,
+        )
         self._parts.open_menu(
             sanitize(
                 Message(
@@ -173,15 +182,15 @@ class GraphDrawing:
                     id=vertex.id,
                     x=f"{vertex.x:.2f}",
                     y=f"{vertex.y:.2f}",
-                    told=Message(told),
+                    told=told,
                 )
             ),
             [
-                ("Label (n)", self._values.name),
-                ("Type (t)", self._values.choose_type),
-                ("Heading", partial(self._parts.begin, f"{HEADING} ")),
-                ("Move (m)", self.hold),
-                ("Remove (x)", self.remove),
+                (Message("Label (n)"), self._values.name),
+                (Message("Type (t)"), self._values.choose_type),
+                (Message("Heading"), partial(self._parts.begin, f"{HEADING} ")),
+                (Message("Move (m)"), self.hold),
+                (Message("Remove (x)"), self.remove),
             ],
         )
 
@@ -205,7 +214,7 @@ class GraphDrawing:
             mode.selected = vertex.id
             mode.edge = ""
             mode.held = True
-            self._notices.say("move the cursor, then Enter puts it down; Esc puts it back")
+            self._notices.say(Message("move the cursor, then Enter puts it down; Esc puts it back"))
             self._editor.refresh()
 
     def remove(self) -> None:

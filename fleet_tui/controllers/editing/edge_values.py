@@ -15,7 +15,7 @@ from fleet_tui.text.language import Message
 SPEED = "speed"
 COST = "cost"
 """First words of typed lines on the selected edge, and names of its values."""
-_EXPECTED = {SPEED: "speed in m/s, above 0, or: any", COST: "cost, 0 or more, or: any"}
+_EXPECTED = {SPEED: Message("speed in m/s, above 0, or: any"), COST: Message("cost, 0 or more, or: any")}
 
 
 class EdgeValues:
@@ -33,7 +33,7 @@ class EdgeValues:
         draft, mode, scene = opened
         id_ = mode.edge or mode.edge_at(self._editor.picture.viewport, scene, mode.cursor)
         if not id_:
-            self._notices.say("no edge is selected: cursor on it, Enter")
+            self._notices.say(Message("no edge is selected: cursor on it, Enter"))
             return None
         mode.edge = id_
         mode.selected = ""
@@ -54,7 +54,7 @@ class EdgeValues:
         return Typed(
             [
                 (
-                    Message("Edge: {shown}", shown=Message(_shown(word, value))),
+                    Message("Edge: {shown}", shown=_shown(word, value)),
                     partial(self._renew, word, value),
                 )
             ]
@@ -71,6 +71,10 @@ def values_text(edge: DocumentEdge) -> str:
     return ", ".join(_shown(word, getattr(edge, word)) for word in _EXPECTED)
 
 
-def _shown(word: str, value: float | None) -> str:
+def _shown(word: str, value: float | None) -> Message:
     unit = " m/s" if word == SPEED else ""
-    return Message("{word} any", word=word) if value is None else f"{word} {value:g}{unit}"
+    return (
+        Message("{word} any", word=word)
+        if value is None
+        else Message("{word} {value}{unit}", word=word, value=f"{value:g}", unit=unit)
+    )

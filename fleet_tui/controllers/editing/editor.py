@@ -12,9 +12,8 @@ from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.graphs.document import DocumentFloor
 from fleet_tui.model.graphs.draft import Change, GraphDraft
 from fleet_tui.model.graphs.live import floor_of, roles_of
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message, counted
 from fleet_tui.text.sanitize import sanitize
-from fleet_tui.text.units import counted
 from fleet_tui.view.map.floor_scene import map_owner
 from fleet_tui.view.map.map_picture import MapPicture
 from fleet_tui.view.map.modes.edit import EditMode
@@ -66,13 +65,13 @@ class GraphEditor:
         if kept is None or kept.floor.name != floor or not (kept.done or kept.undone):
             self._begin(floor, file)
             return
-        steps = counted(len(kept.done), "step")
+        steps = counted("{count} step", "{count} steps", len(kept.done))
         self._open_menu(
-            Message("A draft of {floor} with {steps} was left", floor=sanitize(floor), steps=Message(steps)),
+            Message("A draft of {floor} with {steps} was left", floor=sanitize(floor), steps=steps),
             [
-                ("Continue this draft", partial(self._enter, kept, file)),
+                (Message("Continue this draft"), partial(self._enter, kept, file)),
                 (
-                    "Start again from the live graph (the draft is kept as .bak)",
+                    Message("Start again from the live graph (the draft is kept as .bak)"),
                     partial(self._begin, floor, file),
                 ),
             ],
@@ -127,7 +126,7 @@ class GraphEditor:
 
     def _close(self) -> None:
         assert self.draft is not None
-        steps = counted(len(self.draft.done), "step") if self.draft.done else ""
+        steps = counted("{count} step", "{count} steps", len(self.draft.done)) if self.draft.done else EMPTY
         self.picture.options = replace(self.picture.options, edges=self._edges)
         self._controls.leave_mode()
         if self._file is not None:
@@ -135,7 +134,7 @@ class GraphEditor:
         self.draft = self.mode = self._file = None
         self.changed(None)
         if steps:
-            self._notices.say(Message("draft kept with {steps}: E continues it", steps=Message(steps)))
+            self._notices.say(Message("draft kept with {steps}: E continues it", steps=steps))
 
     def do(self, change: Change) -> None:
         """Take a step."""
@@ -163,19 +162,19 @@ class GraphEditor:
         """Take the last step back."""
         change = opened[0].undo() if (opened := self.opened) is not None else None
         if change is None:
-            self._notices.say("nothing to undo")
+            self._notices.say(Message("nothing to undo"))
         else:
-            self._took(Message("undone: {text}", text=Message(change.text)), Undone(), change)
+            self._took(Message("undone: {text}", text=change.text), Undone(), change)
 
     def redo(self) -> None:
         """Take the undone step again."""
         change = opened[0].redo() if (opened := self.opened) is not None else None
         if change is None:
-            self._notices.say("nothing to redo")
+            self._notices.say(Message("nothing to redo"))
         else:
             self._took(change.text, Redone(), change)
 
-    def _took(self, text: str, line: Line, change: Change) -> None:
+    def _took(self, text: Message, line: Line, change: Change) -> None:
         assert self.draft is not None and self.mode is not None
         self._notices.note(sanitize(text))
         if self._file is not None:

@@ -23,9 +23,8 @@ from fleet_tui.maps.graph_storage import graph_text, load_graph_file
 from fleet_tui.model.graphs.document import DocumentFloor, GraphDocument, GraphFormat, of_floor
 from fleet_tui.rules.graphs.finding import LintInputs
 from fleet_tui.rules.graphs.targets import of_target
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message, counted, message_of
 from fleet_tui.text.sanitize import sanitize
-from fleet_tui.text.units import counted
 
 WORD = "write"
 """First word of a typed line that writes the draft."""
@@ -80,12 +79,12 @@ class DraftFiles:
         try:
             format_ = format_named(wanted) if wanted else None
         except GraphError as problem:
-            return Typed(problem=sanitize(str(problem)))
-        shown = Message(" as {value}", value=Message(format_.value)) if format_ is not None else ""
+            return Typed(problem=sanitize(message_of(problem)))
+        shown = Message(" as {value}", value=Message(format_.value)) if format_ is not None else EMPTY
         return Typed(
             [
                 (
-                    Message("Write the draft to {name}{shown}", name=sanitize(name), shown=Message(shown)),
+                    Message("Write the draft to {name}{shown}", name=sanitize(name), shown=shown),
                     partial(self._write, expanded(name), format_, vehicle),
                 )
             ]
@@ -99,7 +98,7 @@ class DraftFiles:
         floor = checked.floor
         try:
             format_ = wanted or format_of(path)
-            document = joined(path, format_, floor)
+            document = document_with(path, format_, floor)
             at = datetime.now(UTC).strftime("%Y-%m-%dT%H:%M:%SZ")
             text = write_graph(document, format_, WriteChoices(vehicle, at))
             doubts = _doubts(document, format_, vehicle)
@@ -109,7 +108,7 @@ class DraftFiles:
             say(sanitize(Message("not written: {missing}: write FILE lif VEHICLE", missing=missing)))
             return
         except (GraphError, OSError, ValueError) as problem:
-            say(sanitize(f"not written: {path}: {problem}"))
+            say(sanitize(Message("not written: {path}: {problem}", path=path, problem=problem)))
             return
         if counts := counts_text(checked.found):
             doubts.append(Message("{counts}: ! lists them", counts=counts))
@@ -129,11 +128,16 @@ class DraftFiles:
         try:
             kept = self._old_files.save(path, text)
         except GraphError as problem:
-            self._parts.notices.say(sanitize(f"{path}: {problem}"))
+            self._parts.notices.say(sanitize(Message("{path}: {problem}", path=path, problem=problem)))
             return
         where = str(path).replace(str(Path.home()), "~", 1)
-        counts = f"{counted(len(floor.vertices), 'vertex', 'vertices')}, {counted(len(floor.edges), 'edge')}"
-        said = f"{where}: {format_.value}, {counts}"
+        said = Message(
+            "{where}: {format}, {vertices}, {edges}",
+            where=where,
+            format=format_.value,
+            vertices=counted("{count} vertex", "{count} vertices", len(floor.vertices)),
+            edges=counted("{count} edge", "{count} edges", len(floor.edges)),
+        )
         if kept is not None:
             said += Message("; the old file is {name}", name=kept.name)
         self._files.log("graph written", f"{floor.name}: {said}")
@@ -145,7 +149,7 @@ def _doubts(document: GraphDocument, format_: GraphFormat, vehicle: str) -> list
     inputs = LintInputs(target=format_, vehicle_type=vehicle)
     doubts = [loss.line for loss in losses(document, format_)]
     return doubts + [
-        Message("{value} refuses: {text}", value=Message(format_.value), text=Message(one.text))
+        Message("{value} refuses: {text}", value=Message(format_.value), text=one.text)
         for one in of_target(document, inputs)
     ]
 
@@ -161,7 +165,7 @@ def format_of(path: Path) -> GraphFormat:
     return named_format(path.name) or USUAL
 
 
-def joined(path: Path, format_: GraphFormat, floor: DocumentFloor) -> GraphDocument:
+def document_with(path: Path, format_: GraphFormat, floor: DocumentFloor) -> GraphDocument:
     """Return the draft as a document, with all else that the file has: other floors, and values that robots
     do not report."""
     try:

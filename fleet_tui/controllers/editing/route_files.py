@@ -6,7 +6,7 @@ from typing import NamedTuple, TypeVar
 
 from fleet_tui.config.trust import doubt
 from fleet_tui.controllers.editing.editor import GraphEditor
-from fleet_tui.controllers.editing.files import format_of, joined
+from fleet_tui.controllers.editing.files import document_with, format_of
 from fleet_tui.controllers.editing.old_files import OldFiles
 from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.controllers.parts import SetUpParts
@@ -25,7 +25,7 @@ from fleet_tui.model.graphs.live import route_graph
 from fleet_tui.model.set_up.commands import SendGraph
 from fleet_tui.rules.graphs.finding import LintInputs
 from fleet_tui.rules.graphs.targets import of_target
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.text.sanitize import sanitize
 
 FORMAT = GraphFormat.GEOJSON
@@ -48,7 +48,7 @@ class SentFile(NamedTuple):
 
     loaded: FloorGraphLoaded
     file: RouteFile
-    note: str
+    note: Message
 
 
 class RouteFiles:
@@ -72,7 +72,7 @@ class RouteFiles:
         self._sent: dict[SendGraph, SentFile] = {}
         parts.store.watchers.append(self._watch)
 
-    def refusal(self, floor: str) -> str:
+    def refusal(self, floor: str) -> Message:
         """Return the reason that a floor has no file to load, with its remedy; empty if it has one."""
         path = self._files.graph_file(floor)
         if path is None:
@@ -81,22 +81,22 @@ class RouteFiles:
                 floor=floor,
             )
         if (format_ := format_of(path)) is not FORMAT:
-            remedy = "run fleet-tui graph convert, and name the new file in [[floors]] graph"
+            remedy = Message("run fleet-tui graph convert, and name the new file in [[floors]] graph")
             return Message(
                 "not sent: {name} is {value}, not geojson: {remedy}",
                 name=path.name,
                 value=Message(format_.value),
-                remedy=Message(remedy),
+                remedy=remedy,
             )
         # The robot reads it after it was written here.
-        return Message("not sent: {found}", found=found) if (found := doubt(path)) else ""
+        return Message("not sent: {found}", found=found) if (found := doubt(path)) else EMPTY
 
     def file_of(self, floor: DocumentFloor) -> RouteFile:
         """Return the file for a draft. Raises GraphError, also for what the route server refuses."""
         path = self._files.graph_file(floor.name)
         if path is None:
-            raise GraphError(f"{floor.name} has no graph file")
-        document = joined(path, FORMAT, floor)
+            raise GraphError(Message("{name} has no graph file", name=floor.name))
+        document = document_with(path, FORMAT, floor)
         for one in of_target(document, LintInputs(target=FORMAT)):
             if one.is_error:
                 raise GraphError(one.text)
@@ -110,14 +110,14 @@ class RouteFiles:
         floor, path, is_kept = file.floor.name, str(file.path), self._old_files.is_kept(file.path, file.text)
         return SendGraph(robot, floor, vertices, graph.edges, graph.directed, pairs, path, is_kept)
 
-    def write(self, command: SendGraph, file: RouteFile) -> str:
+    def write(self, command: SendGraph, file: RouteFile) -> Message:
         """Write the file of a command that is about to be sent. Returns the reason that it can't be."""
         try:
             kept = self._old_files.save(file.path, file.text, is_sent=True)
         except GraphError as problem:
-            return sanitize(f"not sent: {file.path}: {problem}")
+            return sanitize(Message("not sent: {path}: {problem}", path=file.path, problem=problem))
         self._renumber(file.floor)
-        note = Message(" (before: {name})", name=kept.name) if kept is not None else ""
+        note = Message(" (before: {name})", name=kept.name) if kept is not None else EMPTY
         self._sent[command] = SentFile(load_floor_graph(file.floor.name, file.path), file, note)
         self._files.log(
             "graph written",
@@ -126,10 +126,10 @@ class RouteFiles:
                 name=file.floor.name,
                 path=file.path,
                 robot=command.robot,
-                note=Message(note),
+                note=note,
             ),
         )
-        return ""
+        return EMPTY
 
     def _renumber(self, floor: DocumentFloor) -> None:
         """Give the draft the ids of its file, as a step: the robot has no others."""
@@ -139,7 +139,7 @@ class RouteFiles:
         vertices = _pairs(draft.floor.vertices, floor.vertices)
         edges = _pairs(draft.floor.edges, floor.edges)
         if vertices or edges:
-            self._editor.do(Change("ids as in the file", vertices, edges))
+            self._editor.do(Change(Message("ids as in the file"), vertices, edges))
 
     def _watch(self, before: FleetState, after: FleetState) -> None:
         """Note the end of each command to load a file. Runs in the thread of the store's writer."""
@@ -158,7 +158,11 @@ class RouteFiles:
             self._old_files.loaded(sent.file.path, sent.file.text)
             self._post(sent.loaded)
             return
-        loaded = "may have loaded it or not" if record.stage is Stage.NOT_CONFIRMED else "has not loaded it"
+        loaded = (
+            Message("may have loaded it or not")
+            if record.stage is Stage.NOT_CONFIRMED
+            else Message("has not loaded it")
+        )
         name = Path(command.path).name
         self._notices.note(
             sanitize(
@@ -166,8 +170,8 @@ class RouteFiles:
                     "{name} is written, {robot} {loaded}{note}",
                     name=name,
                     robot=command.robot,
-                    loaded=Message(loaded),
-                    note=Message(sent.note),
+                    loaded=loaded,
+                    note=sent.note,
                 )
             )
         )

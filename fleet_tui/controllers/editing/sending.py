@@ -18,9 +18,8 @@ from fleet_tui.model.kind import GRAPH
 from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import SendGraph
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message, counted, joined, message_of
 from fleet_tui.text.sanitize import sanitize
-from fleet_tui.text.units import counted
 
 
 class DraftSending:
@@ -34,7 +33,7 @@ class DraftSending:
         checks: DraftChecks,
         files: ConsoleFiles,
         route_files: RouteFiles,
-        doubt: str = "",
+        doubt: Message = EMPTY,
     ) -> None:
         """`doubt` is that of the configuration."""
         self._parts = parts
@@ -51,7 +50,7 @@ class DraftSending:
             return
         floor, robot = opened[0].floor, parts.store.state.robots[parts.navigation.robot]
         refusal = parts.dispatch.set_up_refusal() or (
-            Message("not sent: {doubt}", doubt=Message(self.doubt)) if self.doubt else ""
+            Message("not sent: {doubt}", doubt=self.doubt) if self.doubt else EMPTY
         )
         if not refusal and not robot.kind.can(GRAPH):
             refusal = robot.kind.lack(GRAPH)
@@ -66,30 +65,34 @@ class DraftSending:
             return
         if any(one.is_error for one in checked.found):
             parts.notices.say(
-                Message(
-                    "not sent: {counts_text}: ! lists them", counts_text=Message(counts_text(checked.found))
-                )
+                Message("not sent: {counts_text}: ! lists them", counts_text=counts_text(checked.found))
             )
             return
         self._offer(floor, robot, counts_text(checked.found))
 
-    def _offer(self, floor: DocumentFloor, robot: Robot, counts: str) -> None:
-        told = [f"{counted(len(self._checks.changes(floor)), 'difference')} from the live graph", counts]
+    def _offer(self, floor: DocumentFloor, robot: Robot, counts: Message) -> None:
+        changes = len(self._checks.changes(floor))
+        told: list[str] = [
+            counted(
+                "{count} difference from the live graph", "{count} differences from the live graph", changes
+            ),
+            counts,
+        ]
         send = self._send
         if robot.kind.loads_graphs:
             try:
                 file = self._route_files.file_of(floor)
             except (GraphError, ValueError) as problem:
-                self._parts.notices.say(sanitize(f"not sent: {problem}"))
+                self._parts.notices.say(sanitize(Message("not sent: {problem}", problem=problem)))
                 return
             told += file.lost
             send = partial(self._send_file, robot.name, file)
         entries: list[Entry] = [
             (Message("Send to {name} (asks)", name=robot.name), send),
-            ("Show the differences", self._checks.compare),
-            ("Show the findings", self._checks.show_findings),
+            (Message("Show the differences"), self._checks.compare),
+            (Message("Show the findings"), self._checks.show_findings),
         ]
-        self._parts.open_menu(", ".join(filter(None, told)), entries)
+        self._parts.open_menu(joined(", ", filter(None, told)), entries)
 
     def _send_file(self, robot: str, file: RouteFile) -> None:
         """Send the path of a file, which is written after the question."""
@@ -114,22 +117,20 @@ class DraftSending:
         """Keep the robot's present graph; say so if it can't be."""
         if problem := self._keep(robot):
             self._parts.notices.say(
-                Message(
-                    "not sent: the present graph can't be kept: {problem}", problem=Message(sanitize(problem))
-                )
+                Message("not sent: the present graph can't be kept: {problem}", problem=sanitize(problem))
             )
         return not problem
 
-    def _keep(self, robot: str) -> str:
+    def _keep(self, robot: str) -> Message:
         """Write the robot's present graph to a file. Returns the reason if it can't be."""
         live: DocumentFloor = live_floor(self._parts.store.state, self._parts.navigation.selection)
         folder = self._files.folder
         if folder is None or not live.vertices:
-            return ""
+            return EMPTY
         try:
             keep_version(
                 folder, robot, live.name, write_graph(of_floor(live), GraphFormat.NATIVE, WriteChoices())
             )
         except (OSError, GraphError) as problem:
-            return str(problem)
-        return ""
+            return message_of(problem)
+        return EMPTY

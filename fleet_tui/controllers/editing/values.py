@@ -10,7 +10,7 @@ from fleet_tui.controllers.parts import SetUpParts
 from fleet_tui.controllers.typed import Entry, Typed
 from fleet_tui.model.graphs.document import DocumentVertex
 from fleet_tui.rules.graphs import edits
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import Message, verbatim
 from fleet_tui.text.sanitize import sanitize
 
 NAME = "name"
@@ -37,7 +37,7 @@ class VertexValues:
         draft, mode, scene = opened
         id_ = mode.selected or mode.vertex_at(self._editor.picture.viewport, scene, mode.cursor)
         if not id_:
-            self._parts.notices.say("no vertex is selected: cursor on it, Enter")
+            self._parts.notices.say(Message("no vertex is selected: cursor on it, Enter"))
             return None
         mode.selected = id_
         mode.edge = ""
@@ -49,9 +49,9 @@ class VertexValues:
         if opened is not None and vertex is not None:
             used = {one.type for one in opened[0].floor.vertices.values() if one.type}
             types = sorted(used) or USUAL_TYPES
-            entries: list[Entry] = [("none", partial(self._renew, type_=""))]
-            entries += [(sanitize(type_), partial(self._renew, type_=type_)) for type_ in types]
-            entries.append(("another one, typed", partial(self._parts.begin, f"{TYPE} ")))
+            entries: list[Entry] = [(Message("none"), partial(self._renew, type_=""))]
+            entries += [(verbatim(type_), partial(self._renew, type_=type_)) for type_ in types]
+            entries.append((Message("another one, typed"), partial(self._parts.begin, f"{TYPE} ")))
             self._parts.open_menu(
                 Message("Type of vertex {id}", id=sanitize(vertex.id)), entries, searched=True
             )
@@ -83,20 +83,23 @@ class VertexValues:
             said = (
                 Message("Label of the vertex: {text}", text=sanitize(text))
                 if text
-                else "Remove the vertex's label"
+                else Message("Remove the vertex's label")
             )
             return Typed([(said, partial(self._renew, label=text))])
         if word == TYPE:
             return Typed(
-                [(f"Type of the vertex: {sanitize(text) or 'none'}", partial(self._renew, type_=text))]
+                [
+                    (
+                        Message("Type of the vertex: {text}", text=sanitize(text) or "none"),
+                        partial(self._renew, type_=text),
+                    )
+                ]
             )
         try:
             degrees = float(text) if text and text != "any" else None
         except ValueError:
             degrees = math.nan
         if degrees is not None and not math.isfinite(degrees):
-            return Typed(problem="heading in degrees, counter-clockwise from the x axis, or: any")
-        shown = "any" if degrees is None else Message("{degrees} degrees", degrees=f"{degrees:g}")
-        return Typed(
-            [(Message("Heading at the vertex: {shown}", shown=Message(shown)), partial(self._face, degrees))]
-        )
+            return Typed(problem=Message("heading in degrees, counter-clockwise from the x axis, or: any"))
+        shown = Message("any") if degrees is None else Message("{degrees} degrees", degrees=f"{degrees:g}")
+        return Typed([(Message("Heading at the vertex: {shown}", shown=shown), partial(self._face, degrees))])

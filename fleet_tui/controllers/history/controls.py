@@ -22,6 +22,7 @@ from fleet_tui.rules.battery.forecast import WINDOW, BatteryForecast, forecast
 from fleet_tui.rules.battery.history import BatterySample
 from fleet_tui.rules.history.division import Division, divided
 from fleet_tui.rules.history.timeline import main_activities
+from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.view.history.events import past_events
 from fleet_tui.view.history.shift import ShownShift
 from fleet_tui.view.history.tables import moment_of
@@ -42,7 +43,7 @@ NEARLY = 0.05
 """Part of a time: one that ends so shortly ago goes on up to now."""
 NAMES = tuple(HISTORY_PAGES)
 """Pages in the order of their numbers."""
-NO_HISTORY = "this console keeps no history: set days in [history]"
+NO_HISTORY = Message("this console keeps no history: set days in [history]")
 
 
 MOST = 2000
@@ -96,7 +97,7 @@ class HistoryControls:
         self.span = ""  # until the first look: as long as the history, at most the usual one
         self.shown = ShownShift(divided(0.0, HOUR, 1))
         self.floor = 0
-        self.notice = ""
+        self.notice = EMPTY
         self.is_reading = False
         self._wanted = 0
 
@@ -134,9 +135,9 @@ class HistoryControls:
 
     def page(self, number: int) -> None:
         self.page_number = number
-        self.notice = ""
+        self.notice = EMPTY
         self.chart = ""
-        self.shown = ShownShift(self.shown.time, problem="reading ...")
+        self.shown = ShownShift(self.shown.time, problem=Message("reading ..."))
         self._read_and_look()
 
     def step_page(self, step: int) -> None:
@@ -209,12 +210,12 @@ def read_page(path: Path, name: str, time: Division, battery_low: float) -> Show
     try:
         with opened_to_read(path) as database:
             if is_empty(database):
-                return replace(shown, problem="nothing is written yet")
+                return replace(shown, problem=Message("nothing is written yet"))
             history = History(database, MOST)
             shown = replace(shown, begun=history.begun())
             return PAGES[name](history, Totals(database), shown, battery_low)
     except sqlite3.Error as problem:
-        return replace(shown, problem=f"the history can't be read: {problem}")
+        return replace(shown, problem=Message("the history can't be read: {problem}", problem=problem))
 
 
 def _events(history: History, _totals: Totals, shown: ShownShift, _low: float) -> ShownShift:

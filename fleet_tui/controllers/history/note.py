@@ -15,7 +15,7 @@ WORD = "note"
 class NoteCommand:
     """Writes into the history of the console."""
 
-    def __init__(self, files: ConsoleFiles, say: Callable[[str], None]) -> None:
+    def __init__(self, files: ConsoleFiles, say: Callable[[Message], None]) -> None:
         self._files = files
         self._say = say
 
@@ -26,11 +26,11 @@ class NoteCommand:
             return None
         text = truncate(text.strip())
         if self._files.history is None:
-            return Typed(problem="no note: this console keeps no history")
+            return Typed(problem=Message("no note: this console keeps no history"))
         if self._files.refusal:
             return Typed(problem=self._files.refusal)
         if not text:
-            return Typed(problem="note TEXT: what should the next shift know?")
+            return Typed(problem=Message("note TEXT: what should the next shift know?"))
         remark = sanitize(text)
         return Typed(
             [(Message("Note for the next shift: {remark}", remark=remark), partial(self._write, text))]

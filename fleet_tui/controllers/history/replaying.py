@@ -11,7 +11,7 @@ from pathlib import Path
 
 from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.recording.covering import recording_at
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message
 
 BEFORE = 10.0
 """Seconds before the moment from which it is played: what led to it."""
@@ -25,8 +25,8 @@ class PastReplay:
         self,
         files: ConsoleFiles,
         folder: Path,
-        loss: Callable[[], str],
-        run: Callable[[Sequence[str]], str],
+        loss: Callable[[], Message],
+        run: Callable[[Sequence[str]], Message],
     ) -> None:
         self._files = files
         self._folder = folder
@@ -41,10 +41,10 @@ class PastReplay:
         recent = recordings.recent() if recordings is not None else []
         return recording_at(self._folder, at, [*running, *recent])
 
-    def open(self, found: tuple[Path, float] | None, at: float) -> str:
+    def open(self, found: tuple[Path, float] | None, at: float) -> Message:
         """Open it shortly before that second; return what to say, empty once it was seen."""
         if found is None:
-            return (
+            return Message(
                 "no recording covers this moment: `record` in : starts one, the last minutes are always kept"
             )
         path, begun = found
@@ -53,13 +53,13 @@ class PastReplay:
         if loss := self._loss():
             return Message(
                 "{loss}: in another terminal: {value}",
-                loss=Message(loss),
+                loss=loss,
                 value=shlex.join(["fleet-tui", *arguments]),
             )
         return self._run([sys.executable, "-P", "-m", "fleet_tui", *arguments])
 
 
-def run_in_terminal(command: Sequence[str]) -> str:
+def run_in_terminal(command: Sequence[str]) -> Message:
     """Run a command with this terminal; return what to say if it failed, else nothing. Links, audit log and
     history go on in their threads."""
     # Ctrl-C in this terminal is for the command: until that reads keys, it would end the console as well.
@@ -75,5 +75,5 @@ def run_in_terminal(command: Sequence[str]) -> str:
             "it ended with status {returncode}; this says why: {said}", returncode=done.returncode, said=said
         )
         if done.returncode
-        else ""
+        else EMPTY
     )

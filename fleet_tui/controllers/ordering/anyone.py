@@ -14,7 +14,7 @@ from fleet_tui.rules.language.lookup import Place, is_still, order_of
 from fleet_tui.rules.routes.dispatching import to_any
 from fleet_tui.rules.routes.nearest import Nearest, nearest, why_none, why_not
 from fleet_tui.state.store import Store
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message, joined, message_of
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.questions import request_text
 
@@ -28,14 +28,14 @@ class AnyoneOrders:
         self._notices = notices
         self._ask = ask
 
-    def give(self, places: Sequence[Place], sent: Callable[[], None] = lambda: None) -> str:
+    def give(self, places: Sequence[Place], sent: Callable[[], None] = lambda: None) -> Message:
         """Ask whether the nearest idle robot shall visit the places, or any that a dispatcher chooses; `sent`
         is called when it was sent. Returns the reason not to, empty while the question is open."""
         if (request := to_any(self._store.state, places)) is None:
             return self._propose(places, sent, "")
         return self._dispatch.give(request, sent, asks=True)
 
-    def _propose(self, places: Sequence[Place], sent: Callable[[], None], before: str) -> str:
+    def _propose(self, places: Sequence[Place], sent: Callable[[], None], before: str) -> Message:
         """Ask about the nearest robot; `before` is the reason why that is a second question."""
         found = nearest(self._store.state, places)
         if found is None:
@@ -43,9 +43,9 @@ class AnyoneOrders:
         else:
             problem = self._dispatch.objection(self._request(found))
         if problem or found is None:
-            return "; ".join(filter(None, (before, problem)))
+            return joined("; ", filter(None, (before, problem)))
         self._ask(partial(self._question, found, before), partial(self._send, found, places, sent))
-        return ""
+        return EMPTY
 
     def _request(self, found: Nearest) -> Request:
         return order_of(self._store.state.robots[found.robot], found.places)
@@ -54,9 +54,7 @@ class AnyoneOrders:
         state = self._store.state
         text = f"{request_text(state, self._request(found))}?\nNearest idle, {found.metres:.0f} m away"
         reason = why_not(state, state.robots[found.robot])
-        now = (
-            Message("It is now {reason}: Yes proposes the next one", reason=Message(reason)) if reason else ""
-        )
+        now = Message("It is now {reason}: Yes proposes the next one", reason=reason) if reason else ""
         return "\n".join(filter(None, (before, text, now)))
 
     def _send(self, found: Nearest, places: Sequence[Place], sent: Callable[[], None]) -> None:
@@ -65,14 +63,14 @@ class AnyoneOrders:
         robot = state.robots[found.robot]
         changed = [place.name for place in found.places if not is_still(robot, place)]
         if changed:
-            problem: str = Message(
+            problem: Message = Message(
                 "not sent: {changed} of {robot} is another place now",
                 changed=sanitize(changed[0]),
                 robot=found.robot,
             )
         elif reason := why_not(state, robot):
             problem = self._propose(
-                places, sent, Message("{robot} is now {reason}", robot=found.robot, reason=Message(reason))
+                places, sent, Message("{robot} is now {reason}", robot=found.robot, reason=reason)
             )
         else:
             problem = self._dispatch.give(self._request(found), sent)
@@ -85,7 +83,7 @@ class AnyoneOrders:
         try:
             places = parse_anyone(line, state)
         except CommandError as problem:
-            return Typed(completed=complete(line, state), problem=sanitize(str(problem)))
+            return Typed(completed=complete(line, state), problem=sanitize(message_of(problem)))
         if places is None:
             return None
         names = " -> ".join(sanitize(place.name) for place in places)

@@ -24,7 +24,7 @@ from fleet_tui.rules.commands.subject import subject_of
 from fleet_tui.rules.language.lookup import Place
 from fleet_tui.rules.routes.charging import order_to_charger, way_to_charger
 from fleet_tui.state.store import Store
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import Message, message_of
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.tables.missions import mission, way
 from fleet_tui.view.tables.order_story import origin
@@ -79,7 +79,7 @@ class OrderRequests:
         try:
             request = order_to_charger(self._store.state, self._robot)
         except CommandError as problem:
-            self._notices.say(sanitize(str(problem)))
+            self._notices.say(sanitize(message_of(problem)))
         else:
             self._dispatch.do(request, asks=True)
 
@@ -90,7 +90,7 @@ class OrderRequests:
             self._notices.say(refusal)
             return False
         if not robot.kind.can(kind.ORDER):
-            self._notices.say(f"{robot.name}: {robot.kind.lack(kind.ORDER)}")
+            self._notices.say(Message("{name}: {lack}", name=robot.name, lack=robot.kind.lack(kind.ORDER)))
         return robot.kind.can(kind.ORDER)
 
     def start_at(self, vertex: str, floor: str) -> None:
@@ -126,8 +126,8 @@ class OrderRequests:
             case _:
                 asked = self._robot
                 lacks = not asked.kind.can(kind.CANCEL)
-                lack = f"{asked.name}: {asked.kind.lack(kind.CANCEL)}"
-                self._notices.say(lack if lacks else "no order to cancel")
+                lack = Message("{name}: {lack}", name=asked.name, lack=asked.kind.lack(kind.CANCEL))
+                self._notices.say(lack if lacks else Message("no order to cancel"))
 
     def ask_cancel(self, robot: str, order_id: str) -> None:
         """Cancel one order, after asking."""
@@ -148,7 +148,13 @@ class OrderRequests:
             )
             return
         source = origin(state, name, order, self._clock)
-        title = f"Order {sanitize(order_id)} of {name}: {mission(robot, order)}\n{source}"
+        title = Message(
+            "Order {order_id} of {name}: {mission}\n{source}",
+            order_id=sanitize(order_id),
+            name=name,
+            mission=mission(robot, order),
+            source=source,
+        )
         self._open_menu(title, list(self._entries(robot, order)))
 
     def _entries(self, robot: Robot, order: Order) -> Iterator[Entry]:
@@ -157,7 +163,7 @@ class OrderRequests:
             yield Message("Show {name} on the map", name=name), partial(self._navigation.find_robot, name)
             return
         if robot.kind.can(kind.CANCEL):
-            yield "Cancel order", partial(self.ask_cancel, name, order.id)
+            yield Message("Cancel order"), partial(self.ask_cancel, name, order.id)
         for move, _ in moves(self._store.state, robot, order.id):
             yield move, partial(self._move, name, order.id, move)
         if order.stops and robot.kind.can(kind.ORDER):
@@ -182,7 +188,7 @@ class OrderRequests:
 
         return give
 
-    def _move(self, name: str, order_id: str, move: str) -> None:
+    def _move(self, name: str, order_id: str, move: Message) -> None:
         """Move an order in the queue of this console, as it is now: others may have left it meanwhile. The
         cursor goes with it."""
         state, robot = self._store.state, self._store.state.robots[name]

@@ -29,7 +29,7 @@ from fleet_tui.routines.progress import RoutineProgress, progress_path, resumabl
 from fleet_tui.routines.run import RoutineRun, RunParts
 from fleet_tui.rules.routines.orders import objection
 from fleet_tui.state.store import Store
-from fleet_tui.text.language import Message, tr
+from fleet_tui.text.language import EMPTY, Message, translate
 from fleet_tui.text.sanitize import sanitize
 
 UNTOLD = ("resumed", "step")
@@ -65,7 +65,12 @@ class LedRoutines:
         if refusal := self._dispatch.set_up_refusal(Right.DISPATCH):
             raise RoutineError(refusal)
         urls = bridge_urls(self._store.state, plans_of(self._store.state, file))
-        owner = f"{self._files.operator or 'a console'} (process {os.getpid()}, routine {file.name})"
+        owner = Message(
+            "{value} (process {getpid}, routine {name})",
+            value=self._files.operator or "a console",
+            getpid=os.getpid(),
+            name=file.name,
+        )
         path = progress_path(self._place.state, file.path)
         before = resumable(path, file) if is_left else None
         locks = RobotLocks(self._place.state, urls, owner)
@@ -105,7 +110,7 @@ class LedRoutines:
                             "{name} {name2}: not resumed: {refusal}",
                             name=run.file.name,
                             name2=name,
-                            refusal=Message(refusal),
+                            refusal=refusal,
                         )
                     )
                 )
@@ -118,8 +123,18 @@ class LedRoutines:
     def _note(self, name: str, robot: str, note: LaneNote) -> None:
         """Tell what a person must know: the list has the rest."""
         if not note.line and note.change not in UNTOLD:
-            detail = f": {note.detail}" if note.detail else ""
-            self._notices.note(sanitize(f"{name} {robot} {tr(note.change)}{tr(detail)}"))
+            detail = Message(": {detail}", detail=note.detail) if note.detail else EMPTY
+            self._notices.note(
+                sanitize(
+                    Message(
+                        "{name} {robot} {change}{detail}",
+                        name=name,
+                        robot=robot,
+                        change=translate(note.change),
+                        detail=translate(detail),
+                    )
+                )
+            )
 
     def _save(self, path: Path, progress: RoutineProgress) -> None:
         self._newest[path] = progress
@@ -136,7 +151,7 @@ class LedRoutines:
                 )
         return ""
 
-    def _tell(self, problem: str) -> None:
+    def _tell(self, problem: Message) -> None:
         if problem:
             self._notices.note(sanitize(problem))
 

@@ -27,11 +27,11 @@ from fleet_tui.routines.look import RoutinePlace, look_at_all
 from fleet_tui.routines.run import RoutineRun
 from fleet_tui.routines.start import Examined, examine
 from fleet_tui.state.store import Store
-from fleet_tui.text.language import Message, tr
+from fleet_tui.text.language import EMPTY, Message, joined
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.routines.lines import lane_text, lane_word, row_word
 
-ShowText = Callable[[str, Sequence[str]], None]
+ShowText = Callable[[Message, Sequence[str]], None]
 """Shows a text with its title."""
 
 
@@ -70,7 +70,9 @@ class RoutineRequests:
         if run is None:
             return row
         lanes = tuple(run.lanes.values())
-        return replace(row, plans=run.plans, lanes=lanes, at=run.progress.started, owner="this console")
+        return replace(
+            row, plans=run.plans, lanes=lanes, at=run.progress.started, owner=Message("this console")
+        )
 
     def look(self) -> None:
         """Look at the files, not on the loop."""
@@ -96,30 +98,32 @@ class RoutineRequests:
         entries: list[Entry] = [] if run is None else self._changes(run, robot)
         may = not self._dispatch.permissions.refusal(Right.DISPATCH)
         if row.is_left and may:
-            entries.append(("Continue where it left off, held", self._starting(name, True, show_text)))
+            entries.append(
+                (Message("Continue where it left off, held"), self._starting(name, True, show_text))
+            )
         if not row.owner and may:
-            entries.append(("Start", self._starting(name, False, show_text)))
-        entries.append(("Check: problems or timeline", partial(self._check, name, show_text)))
+            entries.append((Message("Start"), self._starting(name, False, show_text)))
+        entries.append((Message("Check: problems or timeline"), partial(self._check, name, show_text)))
         lane = next((one for one in row.lanes if one.robot == robot and not row.is_left), None)
         state = lane_word(lane) if lane is not None else row_word(row)
-        by = Message(", led by {owner}", owner=Message(row.owner)) if row.owner and run is None else ""
-        title = f"{' '.join(filter(None, (name, robot)))}: {tr(state)}{tr(by)}"
+        by = Message(", led by {owner}", owner=row.owner) if row.owner and run is None else EMPTY
+        title = Message("{name}: {state}{by}", name=" ".join(filter(None, (name, robot))), state=state, by=by)
         where = lane_text(row.plans[robot], lane) if lane is not None else ""
-        self._open_menu("\n".join(sanitize(line) for line in (title, where) if line), entries)
+        self._open_menu(joined("\n", (sanitize(line) for line in (title, where) if line)), entries)
 
     def _changes(self, run: RoutineRun, robot: str) -> list[Entry]:
         """Return the requests that change something in the present state of a robot, or of all."""
         lanes = [lane for name, lane in run.lanes.items() if robot in ("", name) and not lane.is_over]
         shut = [lane for lane in lanes if lane.gate in (Gate.PAUSED, Gate.HELD)]
-        found: list[tuple[str, LaneRequest]] = []
+        found: list[tuple[Message, LaneRequest]] = []
         if shut:
-            found += [("Resume", LaneResumed()), ("Step: one instruction", LaneStepped())]
+            found += [(Message("Resume"), LaneResumed()), (Message("Step: one instruction"), LaneStepped())]
         if any(lane.phase is LanePhase.READY for lane in shut):
-            found.append(("Skip the next instruction, and resume", LaneSkipped()))
+            found.append((Message("Skip the next instruction, and resume"), LaneSkipped()))
         if len(shut) < len(lanes):
-            found.append(("Pause: running orders go on, nothing follows", LanePaused()))
+            found.append((Message("Pause: running orders go on, nothing follows"), LanePaused()))
         if lanes:
-            found.append(("Stop: running orders go on", LaneStopped()))
+            found.append((Message("Stop: running orders go on"), LaneStopped()))
         return [(text, partial(self._request, run, event, robot)) for text, event in found]
 
     def _request(self, run: RoutineRun, event: LaneRequest, robot: str) -> None:
@@ -149,7 +153,7 @@ class RoutineRequests:
         def start() -> None:
             if refusal := self._dispatch.set_up_refusal(Right.DISPATCH):
                 self._notices.say(
-                    sanitize(Message("{name}: not started: {refusal}", name=name, refusal=Message(refusal)))
+                    sanitize(Message("{name}: not started: {refusal}", name=name, refusal=refusal))
                 )
                 return
             self._in_background(partial(examine, self._place, self._store.state, name), ask)
@@ -162,6 +166,14 @@ class RoutineRequests:
         try:
             self._led.start(found.file, is_left)
         except RoutineError as problem:
-            self._notices.say(sanitize(f"{name}: not started: {problem}"))
+            self._notices.say(sanitize(Message("{name}: not started: {problem}", name=name, problem=problem)))
         else:
-            self._notices.say(sanitize(f"{name}: {'continued, held' if is_left else 'started'}"))
+            self._notices.say(
+                sanitize(
+                    Message(
+                        "{name}: {value}",
+                        name=name,
+                        value=Message("continued, held") if is_left else Message("started"),
+                    )
+                )
+            )

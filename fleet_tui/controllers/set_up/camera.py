@@ -10,6 +10,7 @@ from fleet_tui.model.kind import CAMERA
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.streams import CameraImage, Streamed
 from fleet_tui.state.store import Store
+from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.view.camera.caption import CameraFacts, PictureRate, caption, note
 from fleet_tui.view.camera.cells import PictureCells, half_blocks, ramp
 from fleet_tui.view.roles import StyleRole
@@ -62,10 +63,10 @@ class CameraControls:
         self._picture: PictureCells | None = None
 
     @property
-    def lack(self) -> str:
+    def lack(self) -> Message:
         """Return the reason that the selected robot has no camera, empty if it has one."""
         kind = self._store.state.robots[self._selected()].kind
-        return "" if CAMERA in kind.streams else kind.lack(CAMERA)
+        return EMPTY if CAMERA in kind.streams else kind.lack(CAMERA)
 
     def turn(self, on: bool) -> None:
         """Begin or end to show the camera of the selected robot."""

@@ -8,7 +8,7 @@ from fleet_tui.model.kind import SCAN
 from fleet_tui.model.set_up.commands import SetPose
 from fleet_tui.rules.localisation.match import DOUBTFUL, FEWEST, Match
 from fleet_tui.state.store import Store
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import percent
 from fleet_tui.view.set_up.scan_match import scan_match
@@ -38,12 +38,12 @@ class ScanComparison:
         self._began = state.now
         self._before = scan_match(state, state.robots[robot], floor, self._backend.streams)
 
-    def doubt(self, robot: str, floor: str, pose: Pose) -> str:
+    def doubt(self, robot: str, floor: str, pose: Pose) -> Message:
         """Return what its newest scan has against a pose, empty for nothing or without one."""
         state = self._store.state
         fit = scan_match(state, state.robots[robot], floor, self._backend.streams, pose)
         if fit is None or fit.beams < FEWEST or fit.share >= DOUBTFUL:
-            return ""
+            return EMPTY
         return Message("Only {percent} of the scan fits here. Send it anyway?", percent=percent(fit.share))
 
     def look(self) -> None:
@@ -56,7 +56,13 @@ class ScanComparison:
         if streamed is not None and streamed.taken_at > record.steps[-1].at:
             after = scan_match(state, state.robots[self.robot], self._floor, self._backend.streams)
             if after is not None:
-                self._notices.note(f"{sanitize(self.robot)}: {_compared(self._before, after)}")
+                self._notices.note(
+                    Message(
+                        "{robot}: {compared}",
+                        robot=sanitize(self.robot),
+                        compared=_compared(self._before, after),
+                    )
+                )
                 self.robot = ""
         if state.now - record.steps[-1].at > GIVEN_UP:
             self.robot = ""

@@ -21,7 +21,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import SetMapping
 from fleet_tui.model.set_up.survey import survey
 from fleet_tui.rules.commands.set_up.mode import mapping_text
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message, joined, message_of
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import age
 from fleet_tui.view.map.map_picture import MapPicture
@@ -41,7 +41,7 @@ class MappingControls:
         files: ConsoleFiles,
         ask: Ask,
         in_background: InBackground,
-        say_from_thread: Callable[[str], None],
+        say_from_thread: Callable[[Message], None],
     ) -> None:
         self._parts = parts
         self._picture = picture
@@ -50,7 +50,7 @@ class MappingControls:
         self._in_background = in_background
         self._say_from_thread = say_from_thread
         self._grid: OccupancyGrid | None = None
-        self._text = ""
+        self._text = EMPTY
 
     @property
     def _robot(self) -> Robot:
@@ -73,7 +73,7 @@ class MappingControls:
         robot_map = self._robot.maps.get(floor)
         at = (robot_map.grid_at if robot_map is not None else None) or state.floors[floor].live_at
         return (
-            Message("{text}, map {age} old", text=Message(self._text), age=age(max(0.0, state.now - at)))
+            Message("{text}, map {age} old", text=self._text, age=age(max(0.0, state.now - at)))
             if at is not None
             else self._text
         )
@@ -97,7 +97,7 @@ class MappingControls:
             lines.append(f"{scene.floor}: {survey(scene.grid).text}")
             entries.append(
                 (
-                    "Save this map to a file",
+                    Message("Save this map to a file"),
                     partial(
                         self._parts.begin,
                         f"{WORD} {file_name(scene.floor)}.yaml",
@@ -105,19 +105,22 @@ class MappingControls:
                 )
             )
         else:
-            lines.append("no map yet")
-        named = ((MAP_SAVE, "store-map", "map"), (POSE_GRAPH_SAVE, "store-pose-graph", "pose graph"))
+            lines.append(Message("no map yet"))
+        named = (
+            (MAP_SAVE, "store-map", Message("map")),
+            (POSE_GRAPH_SAVE, "store-pose-graph", Message("pose graph")),
+        )
         for ability, verb, what in named:
             if robot.kind.can(ability) and not refusal:
                 line = f"{verb} {robot.name} {robot.floor or ''}"
                 entries.append(
                     (
-                        Message("Store the {what} on the robot", what=Message(what)),
+                        Message("Store the {what} on the robot", what=what),
                         partial(self._parts.begin, line),
                     )
                 )
         self._parts.open_menu(
-            "\n".join(map(sanitize, lines)), entries or [("Nothing can be done", lambda: None)]
+            joined("\n", map(sanitize, lines)), entries or [(Message("Nothing can be done"), lambda: None)]
         )
 
     def _switch(self, on: bool) -> None:
@@ -130,7 +133,7 @@ class MappingControls:
             return None
         scene = self._picture.scene
         if scene is None or scene.grid is None:
-            return Typed(problem="no map is shown")
+            return Typed(problem=Message("no map is shown"))
         if self._files.naming_refusal:
             return Typed(problem=self._files.naming_refusal)
         if not name.strip():
@@ -153,7 +156,9 @@ class MappingControls:
         try:
             exists = any(file.exists() for file in map_files(path))
         except (OSError, ValueError) as problem:
-            self._parts.notices.say(sanitize(f"map not saved: {name}: {problem}"))
+            self._parts.notices.say(
+                sanitize(Message("map not saved: {name}: {problem}", name=name, problem=problem))
+            )
             return
         if exists:
             self._ask(lambda: Message("{name} exists: it is kept as .bak. Save?", name=sanitize(name)), save)
@@ -162,15 +167,13 @@ class MappingControls:
 
     def _said(self, text: Any) -> None:
         self._files.log("map saved", str(text))
-        self._parts.notices.say(sanitize(str(text)))
+        self._parts.notices.say(sanitize(message_of(text)))
 
 
-def _saved(grid: OccupancyGrid, path: Path, report: Callable[[str], None]) -> str:
+def _saved(grid: OccupancyGrid, path: Path, report: Callable[[Message], None]) -> str:
     """Save a map, and return the result in words."""
     try:
         yaml = save_map(grid, path, report)
     except MapError as problem:
-        return f"map not saved: {problem}"
-    return Message(
-        "map saved to {yaml}, read back and compared: {text}", yaml=yaml, text=Message(survey(grid).text)
-    )
+        return Message("map not saved: {problem}", problem=problem)
+    return Message("map saved to {yaml}, read back and compared: {text}", yaml=yaml, text=survey(grid).text)

@@ -15,13 +15,13 @@ from fleet_tui.model.set_up.commands import Localise, SetPose, heading_text
 from fleet_tui.rules.commands.set_up.checks import driving
 from fleet_tui.rules.language.set_up import floor_of, to_pose
 from fleet_tui.state.store import Store
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import Message, message_of
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.map.map_picture import MapPicture
 from fleet_tui.view.map.modes.place import PlaceMode
 
-SET_POSE = "POSE"
-GO_TO = "GOAL"
+SET_POSE = Message("POSE")
+GO_TO = Message("GOAL")
 
 
 class PoseRequests:
@@ -61,7 +61,7 @@ class PoseRequests:
         """Choose a goal for the selected robot."""
         self._start(GO_TO, GOAL)
 
-    def _start(self, title: str, ability: str) -> None:
+    def _start(self, title: Message, ability: str) -> None:
         robot = self._store.state.robots[self._navigation.robot]
         refusal = self._dispatch.set_up_refusal(Right.SETUP if ability == POSE else Right.DISPATCH)
         if refusal or not robot.kind.can(ability):
@@ -147,7 +147,7 @@ class PoseRequests:
                 return None
             return Request((to_pose(robot, pose),), alone=True)
         except CommandError as problem:
-            self._notices.say(sanitize(str(problem)))
+            self._notices.say(sanitize(message_of(problem)))
             return None
 
     def _give(self, request: Request) -> None:

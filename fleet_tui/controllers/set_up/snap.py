@@ -10,7 +10,7 @@ from fleet_tui.rules.commands.set_up.checks import map_of
 from fleet_tui.rules.localisation.match import DOUBTFUL, FEWEST, Match
 from fleet_tui.rules.localisation.nearby import REACH, best_near
 from fleet_tui.state.streams import Streams
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import percent
 from fleet_tui.view.map.map_picture import MapPicture
@@ -52,7 +52,7 @@ class PoseSnap:
         if not isinstance(mode, PlaceMode) or self._searched == (mode, mode.pose):
             return
         if not mode.moves_scan:
-            self._notices.say("only a pose of a robot with a laser scan can be fitted to the map")
+            self._notices.say(Message("only a pose of a robot with a laser scan can be fitted to the map"))
             return
         state = self._store.state
         robot = state.robots[mode.robot]
@@ -62,10 +62,10 @@ class PoseSnap:
                 Message("no map of {floor} to compare the scan with", floor=sanitize(mode.floor))
             )
         elif beams is None or beams.is_sought or len(beams.points) < FEWEST:
-            self._notices.say("no scan to compare: press again when it has come")
+            self._notices.say(Message("no scan to compare: press again when it has come"))
         else:
             self._searched = mode, mode.pose
-            self._notices.say("searching for the best fit nearby")
+            self._notices.say(Message("searching for the best fit nearby"))
             work = partial(best_near, grid, beams.points, mode.pose)
             self._in_background(work, partial(self._take, mode, mode.pose))
 
@@ -76,7 +76,7 @@ class PoseSnap:
         if self._picture.mode is not mode:
             return
         if mode.pose != start:
-            self._notices.say("the cursor was moved during the search: press again")
+            self._notices.say(Message("the cursor was moved during the search: press again"))
         elif found is None:
             self._notices.say(Message("no better fit within {REACH} m of the cursor", REACH=f"{REACH:g}"))
         else:
@@ -86,14 +86,14 @@ class PoseSnap:
             self._notices.say(_found(start, *found))
 
 
-def _found(start: Pose, pose: Pose, matched: Match) -> str:
+def _found(start: Pose, pose: Pose, matched: Match) -> Message:
     metres = math.dist((start.x, start.y), (pose.x, pose.y))
     degrees = abs(math.degrees(math.remainder(pose.yaw - start.yaw, math.tau)))
-    doubt = ": doubtful, search again or elsewhere" if matched.share < DOUBTFUL else ""
+    doubt = Message(": doubtful, search again or elsewhere") if matched.share < DOUBTFUL else EMPTY
     return Message(
         "{percent} fit, {metres} m and {degrees} degrees from the cursor{doubt}",
         percent=percent(matched.share),
         metres=f"{metres:.1f}",
         degrees=f"{degrees:.0f}",
-        doubt=Message(doubt),
+        doubt=doubt,
     )

@@ -12,7 +12,7 @@ from fleet_tui.model.kind import PATH, SCAN
 from fleet_tui.model.set_up.streams import Beams, PlannedPath, Points
 from fleet_tui.rules.localisation.match import Match
 from fleet_tui.state.store import Store
-from fleet_tui.text.language import Message, tr
+from fleet_tui.text.language import EMPTY, Message, translate
 from fleet_tui.text.units import percent
 from fleet_tui.view.map.map_picture import MapPicture
 from fleet_tui.view.map.modes.place import PlaceMode
@@ -43,23 +43,25 @@ class ShownStreams:
 
     def laser(self) -> None:
         """Show or hide the laser scan."""
-        self._turn(SCAN, "laser scan")
+        self._turn(SCAN, Message("laser scan"))
 
     def path(self) -> None:
         """Show or hide the planned path."""
-        self._turn(PATH, "planned path")
+        self._turn(PATH, Message("planned path"))
 
-    def _turn(self, key: str, name: str) -> None:
+    def _turn(self, key: str, name: Message) -> None:
         kind = self._store.state.robots[self._navigation.robot].kind
         if key in self._shown:
             self._shown.remove(key)
-            self._notices.say(Message("{name} hidden", name=tr(name)))
+            self._notices.say(Message("{name} hidden", name=translate(name)))
         elif key not in kind.streams:
             self._notices.say(kind.lack(key))
         else:
             self._shown.add(key)
             self._notices.say(
-                Message("{name} of {robot}: waiting for it", name=tr(name), robot=self._navigation.robot)
+                Message(
+                    "{name} of {robot}: waiting for it", name=translate(name), robot=self._navigation.robot
+                )
             )
 
     def on(self, scene: Scene) -> Scene:
@@ -115,21 +117,25 @@ class ShownStreams:
         """Say once for each robot where its laser is assumed to be, as soon as that is known."""
         if self._told != robot and not beams.is_sought:
             self._told = robot
-            place = "" if beams.is_mounted else ", laser offset unknown: set laser = [x, y, yaw] of the robot"
+            place = (
+                EMPTY
+                if beams.is_mounted
+                else Message(", laser offset unknown: set laser = [x, y, yaw] of the robot")
+            )
             self._notices.note(
                 Message(
                     "laser scan of {robot}: {points} of {sent} beams{place}",
                     robot=robot,
                     points=len(beams.points),
                     sent=beams.sent,
-                    place=Message(place),
+                    place=place,
                 )
             )
 
 
-def _text(match: Match | None) -> str:
+def _text(match: Match | None) -> Message:
     return (
-        "no scan to compare"
+        Message("no scan to compare")
         if match is None
         else Message("{percent} fit, {median} m", percent=percent(match.share), median=f"{match.median:.2f}")
     )

@@ -6,12 +6,10 @@ from fleet_tui.controllers.parts import SetUpParts
 from fleet_tui.controllers.typed import Typed
 from fleet_tui.model.fleets.facility import LANES
 from fleet_tui.rules.alarms.facilities import facility_text, listed
-from fleet_tui.text.language import tr
-from fleet_tui.text.sanitize import sanitize
-from fleet_tui.text.units import counted
+from fleet_tui.text.language import Message, counted, translate, verbatim
 
 VERB = "facilities"
-TITLE = "Facilities: lifts, doors, dispensers, closed lanes"
+TITLE = Message("Facilities: lifts, doors, dispensers, closed lanes")
 
 
 class FacilityList:
@@ -30,12 +28,22 @@ class FacilityList:
         state = self._parts.store.state
         lines = [facility_text(state, one) for one in listed(state)]
         lanes = (one for one in state.facilities.values() if one.sort == LANES and one.closed)
-        lines += [f"fleet {one.name}: {counted(len(one.closed), 'lane')} closed" for one in lanes]
+        lines += [
+            translate(
+                counted(
+                    "fleet {name}: {count} lane closed",
+                    "fleet {name}: {count} lanes closed",
+                    len(one.closed),
+                    name=one.name,
+                )
+            )
+            for one in lanes
+        ]
         if not lines:
-            self._parts.notices.say(tr("no lifts, doors or dispensers are reported"))
+            self._parts.notices.say(Message("no lifts, doors or dispensers are reported"))
             return
         self._parts.open_menu(
-            f"{tr(TITLE)}, {self._clock(state.wall)}",
-            [(sanitize(line), lambda: None) for line in lines],
+            Message("{title}, {clock}", title=TITLE, clock=self._clock(state.wall)),
+            [(verbatim(line), lambda: None) for line in lines],
             searched=True,
         )

@@ -15,13 +15,13 @@ from fleet_tui.rules.commands.subject import Subject, subject_of
 from fleet_tui.rules.language.anyone import own_place
 from fleet_tui.rules.language.lookup import Place
 from fleet_tui.state.store import Store
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.questions import losses, request_text
 
 SHOWN = 12
 """Lines of a question; the number of others follows."""
-Outcomes = Callable[[Sequence[tuple[Command, str]], float], None]
+Outcomes = Callable[[Sequence[tuple[Command, Message]], float], None]
 """Shows the outcome of each command sent since a moment (monotonic), with the reason of those that were not
 sent."""
 
@@ -31,7 +31,7 @@ class _Asked(Struct, frozen=True):
 
     request: Request
     subject: Subject
-    lack: str = ""
+    lack: Message = EMPTY
 
 
 class MarkedCommands:
@@ -73,7 +73,7 @@ class MarkedCommands:
         else:
             self._ask(lambda: self._question(asked), lambda: self._send(asked))
 
-    def give_order(self, request: Request, sent: Callable[[], None]) -> str:
+    def give_order(self, request: Request, sent: Callable[[], None]) -> Message:
         """Send an order of the form, to all marked robots if its own is one of them. Returns the reason not
         to."""
         marks, (first, *_) = self._marks(), request.commands
@@ -94,7 +94,7 @@ class MarkedCommands:
             sent()
 
         self._ask(lambda: self._question(asked), send)
-        return ""
+        return EMPTY
 
     def _question(self, asked: Sequence[_Asked]) -> str:
         commands = [command for one in asked for command in one.request.commands]
@@ -112,9 +112,9 @@ class MarkedCommands:
         """Yield what a request is about, with its losses and warnings, or why it can't be sent."""
         state, request = self._store.state, asked.request
         found = self._dispatch.objections(request)
-        against = asked.lack or next((problem.text for problem in found if problem.blocks), "")
+        against = asked.lack or next((problem.text for problem in found if problem.blocks), EMPTY)
         if against or (withdrawn := self._dispatch.withdrawn(request, asked.subject)):
-            yield Message("not sent: {against}", against=Message(sanitize(against))) if against else withdrawn
+            yield Message("not sent: {against}", against=sanitize(against)) if against else withdrawn
             return
         warnings = "".join(f" ({sanitize(problem.text)})" for problem in found)
         lost = list(losses(state, request)) or [request_text(state, request)]
@@ -122,10 +122,10 @@ class MarkedCommands:
         yield from lost[1:]
 
     def _send(self, asked: Sequence[_Asked]) -> None:
-        told, since = list[tuple[Command, str]](), monotonic()
+        told, since = list[tuple[Command, Message]](), monotonic()
         for one in asked:
             problem = (
-                Message("not sent: {lack}", lack=Message(one.lack))
+                Message("not sent: {lack}", lack=one.lack)
                 if one.lack
                 else self._dispatch.send_confirmed(one.request, one.subject)
             )
@@ -140,7 +140,7 @@ def _asked_of(state: FleetState, request: Request, robot: Robot, other: Robot) -
         return _Asked(request, subject_of(state, request))
     orders = [one for one in request.commands if isinstance(one, PlaceOrder)]
     own = dict[str, str]()
-    lacks = list[str]()
+    lacks = list[Message]()
     for vertex, floor in request.floors:
         label = robot.maps[floor].name_of(vertex) if floor in robot.maps else None
         place = Place(vertex, label or vertex, floor)
@@ -161,4 +161,4 @@ def _asked_of(state: FleetState, request: Request, robot: Robot, other: Robot) -
     )
     floors = tuple((own[vertex], floor) for vertex, floor in request.floors)
     own_request = replace(request, commands=commands, floors=floors)
-    return _Asked(own_request, subject_of(state, own_request), next(iter(lacks), ""))
+    return _Asked(own_request, subject_of(state, own_request), next(iter(lacks), EMPTY))

@@ -69,7 +69,7 @@ class CommandElsewhere(Struct, frozen=True):
         return self.what in REMOVES
 
     @property
-    def text(self) -> str:
+    def text(self) -> Message:
         """Return what was done to the order that it removed, by whom and where."""
         if self.order_id:
             return Message("cancelled by {by} at {console}", by=self.by, console=self.console)

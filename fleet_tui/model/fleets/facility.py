@@ -2,11 +2,13 @@
 
 from msgspec import Struct
 
-LIFT = "lift"
-DOOR = "door"
-DISPENSER = "dispenser"
-INGESTOR = "ingestor"
-LANES = "lanes"
+from fleet_tui.text.language import EMPTY, N_, Message
+
+LIFT = N_("lift")
+DOOR = N_("door")
+DISPENSER = N_("dispenser")
+INGESTOR = N_("ingestor")
+LANES = N_("lanes")
 
 
 class Facility(Struct, frozen=True):
@@ -17,7 +19,7 @@ class Facility(Struct, frozen=True):
     sort: str
     name: str
     at: float
-    state: str = ""
+    state: Message = EMPTY
     fault: str = ""
     user: str = ""
     closed: tuple[str, ...] = ()

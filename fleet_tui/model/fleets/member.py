@@ -2,6 +2,8 @@
 
 from msgspec import Struct
 
+from fleet_tui.text.language import EMPTY, Message
+
 EMERGENCY = "emergency"
 ADAPTER_ERROR = "adapter error"
 """Modes in which a robot can't drive."""
@@ -18,7 +20,7 @@ class Member(Struct, frozen=True):
     reported; `task` the id of the task that it drives; `issues` are the faults that its adapter reports, a
     line each."""
 
-    mode: str = ""
-    status: str = ""
+    mode: Message = EMPTY
+    status: Message = EMPTY
     task: str = ""
     issues: tuple[str, ...] = ()

@@ -9,6 +9,7 @@ from msgspec.structs import replace
 
 from fleet_tui.model.graphs.document import DocumentEdge, DocumentFloor, DocumentVertex
 from fleet_tui.model.graphs.ids import next_id
+from fleet_tui.text.language import Message
 
 VertexPair = tuple[DocumentVertex | None, DocumentVertex | None]
 EdgePair = tuple[DocumentEdge | None, DocumentEdge | None]
@@ -17,7 +18,7 @@ EdgePair = tuple[DocumentEdge | None, DocumentEdge | None]
 class Change(Struct, frozen=True):
     """One step of an editor: each element before and after it, None for one that does not exist then."""
 
-    text: str
+    text: Message
     vertices: tuple[VertexPair, ...] = ()
     edges: tuple[EdgePair, ...] = ()
 

@@ -4,18 +4,20 @@ from enum import Enum
 
 from msgspec import Struct
 
+from fleet_tui.text.language import N_
+
 
 class Activity(Enum):
     """An activity of a robot; the value is shown, and stands in the database."""
 
-    DRIVING = "driving"
-    LOADING = "loading"
-    WAITING = "waiting"
-    CHARGING = "charging"
-    IDLE = "idle"
-    PAUSED = "paused"
-    BLOCKED = "blocked"
-    OFFLINE = "offline"
+    DRIVING = N_("driving")
+    LOADING = N_("loading")
+    WAITING = N_("waiting")
+    CHARGING = N_("charging")
+    IDLE = N_("idle")
+    PAUSED = N_("paused")
+    BLOCKED = N_("blocked")
+    OFFLINE = N_("offline")
 
 
 class Span(Struct, frozen=True):

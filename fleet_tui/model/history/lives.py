@@ -2,6 +2,8 @@
 
 from msgspec import Struct
 
+from fleet_tui.text.language import Message
+
 
 class PastOrder(Struct, frozen=True):
     """The whole life of an order. `stage` is that of its last change."""
@@ -22,7 +24,7 @@ class AlarmLife(Struct, frozen=True):
     """The whole life of an alarm. `source` is its robot or link, `operator` who acknowledged it."""
 
     source: str
-    kind: str
+    kind: Message
     priority: str
     text: str
     raised: float

@@ -4,6 +4,8 @@ from enum import Enum
 
 from msgspec import Struct
 
+from fleet_tui.text.language import EMPTY, N_, Message
+
 OLD = 20.0
 """Seconds after which a state is no longer known: more than two looks at a host that hangs."""
 
@@ -11,12 +13,12 @@ OLD = 20.0
 class ProgramState(Enum):
     """States of a program, by the words on the screen."""
 
-    RUNNING = "running"
-    STARTING = "starting"
-    STOPPING = "stopping"
-    STOPPED = "stopped"
-    FAILED = "failed"
-    UNKNOWN = "unknown"
+    RUNNING = N_("running")
+    STARTING = N_("starting")
+    STOPPING = N_("stopping")
+    STOPPED = N_("stopped")
+    FAILED = N_("failed")
+    UNKNOWN = N_("unknown")
 
 
 ENDED = (ProgramState.STOPPED, ProgramState.FAILED)
@@ -33,7 +35,7 @@ class ProgramStatus(Struct, frozen=True):
     restarts: int | None = None
     instance: str = ""
     dependents: tuple[str, ...] = ()
-    detail: str = ""
+    detail: Message = EMPTY
     has_systemd: bool = True
 
 
@@ -46,7 +48,7 @@ class ProgramRow(Struct, frozen=True):
     needs: tuple[str, ...] = ()
     status: ProgramStatus | None = None
     last_known: ProgramStatus | None = None
-    pending: str = ""
+    pending: Message = EMPTY
 
     def state(self, now: float) -> ProgramState:
         """Return the state, unknown once the last look is too old."""

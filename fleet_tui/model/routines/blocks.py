@@ -2,6 +2,8 @@
 
 from msgspec import Struct
 
+from fleet_tui.text.language import Message
+
 DAYS = ("monday", "tuesday", "wednesday", "thursday", "friday", "saturday", "sunday")
 
 
@@ -132,7 +134,7 @@ class RoutineProblem(Struct, frozen=True):
     """An error in a routine, with its remedy."""
 
     line: int
-    text: str
+    text: Message
 
 
 class ParsedRoutine(Struct, frozen=True):

@@ -6,18 +6,19 @@ from enum import Enum
 from msgspec import Struct
 
 from fleet_tui.model.routines.blocks import CarryBlock, Condition, DayTime, GoBlock, RunBlock
+from fleet_tui.text.language import EMPTY, N_, Message
 
 
 class LanePhase(Enum):
     """The activity of a lane. READY: its next instruction has not begun."""
 
-    READY = "ready"
-    WAITING = "waiting"
-    ORDERED = "running an order"
-    PROGRAM = "running a program"
-    DONE = "done"
-    FAILED = "failed"
-    STOPPED = "stopped"
+    READY = N_("ready")
+    WAITING = N_("waiting")
+    ORDERED = N_("running an order")
+    PROGRAM = N_("running a program")
+    DONE = N_("done")
+    FAILED = N_("failed")
+    STOPPED = N_("stopped")
 
 
 LANE_ENDS = frozenset({LanePhase.DONE, LanePhase.FAILED, LanePhase.STOPPED})
@@ -26,18 +27,18 @@ LANE_ENDS = frozenset({LanePhase.DONE, LanePhase.FAILED, LanePhase.STOPPED})
 class Gate(Enum):
     """Permission to begin instructions. STEP: one, then PAUSED. HELD: none before a person resumes."""
 
-    OPEN = "open"
-    STEP = "step"
-    PAUSED = "paused"
-    HELD = "held"
+    OPEN = N_("open")
+    STEP = N_("step")
+    PAUSED = N_("paused")
+    HELD = N_("held")
 
 
 class Part(Enum):
     """A list of blocks: of a lane, a repeat or an if; its `else`; the `on failure` of a lane."""
 
-    BODY = "body"
-    ELSE = "else"
-    FAILURE = "on failure"
+    BODY = N_("body")
+    ELSE = N_("else")
+    FAILURE = N_("on failure")
 
 
 class Position(Struct, frozen=True):
@@ -59,7 +60,7 @@ class Lane(Struct, frozen=True):
     phase: LanePhase = LanePhase.READY
     gate: Gate = Gate.OPEN
     until: float = 0.0
-    detail: str = ""
+    detail: Message = EMPTY
     since: float = 0.0
     order_id: str = ""
 
@@ -80,7 +81,7 @@ class LaneFacts(Struct, frozen=True):
     returns the Unix second at which the local clock next shows a time."""
 
     wall: float
-    no_link: str
+    no_link: Message
     holds: Callable[[Condition], bool | None]
     next_time: Callable[[DayTime], float]
 
@@ -95,20 +96,20 @@ class OrderEnded(Struct, frozen=True):
     """The outcome of an order is known."""
 
     is_done: bool
-    words: str = ""
+    words: Message = EMPTY
 
 
 class OrderWithheld(Struct, frozen=True):
     """An order was not sent, for a reason that a person can remove."""
 
-    words: str
+    words: Message
 
 
 class ProgramEnded(Struct, frozen=True):
     """A program has ended; `is_done`: with exit code 0."""
 
     is_done: bool
-    words: str = ""
+    words: Message = EMPTY
 
 
 class LanePaused(Struct, frozen=True):
@@ -154,16 +155,16 @@ class EndProgram(Struct, frozen=True):
 class LaneNote(Struct, frozen=True):
     """A line for people: `change` of the block in a `line`, or of the lane if that is 0."""
 
-    change: str
+    change: Message
     line: int = 0
     text: str = ""
-    detail: str = ""
+    detail: Message = EMPTY
 
 
 LaneAction = GiveOrder | StartProgram | EndProgram | LaneNote
 
-BEGUN = "begun"
-ENDED = "done"
-LEFT = "not done"
-SKIPPED = "skipped"
+BEGUN = Message("begun")
+ENDED = Message("done")
+LEFT = Message("not done")
+SKIPPED = Message("skipped")
 """Changes of a block: it was carried out, left after a failure or a stop, or not begun."""

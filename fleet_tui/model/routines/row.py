@@ -6,6 +6,7 @@ from msgspec import Struct
 
 from fleet_tui.model.routines.blocks import LanePlan
 from fleet_tui.model.routines.lane import Lane
+from fleet_tui.text.language import EMPTY, Message
 
 
 class RoutineRow(Struct, frozen=True):
@@ -18,8 +19,8 @@ class RoutineRow(Struct, frozen=True):
     plans: Mapping[str, LanePlan] = {}
     lanes: tuple[Lane, ...] = ()
     at: float = 0.0
-    owner: str = ""
-    problem: str = ""
+    owner: Message = EMPTY
+    problem: Message = EMPTY
 
     @property
     def is_left(self) -> bool:

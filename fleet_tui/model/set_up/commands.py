@@ -21,8 +21,7 @@ from fleet_tui.model.kind import (
     POSE_GRAPH_SAVE,
     SETTLE,
 )
-from fleet_tui.text.language import Message
-from fleet_tui.text.units import counted
+from fleet_tui.text.language import EMPTY, Message, counted
 
 MAP_NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_-]{0,63}", re.ASCII)
 """Names of maps on a robot, where some programs put them into a shell command. None begins like an option."""
@@ -43,7 +42,7 @@ class SetUpCommand(Struct, frozen=True):
     log; `within`: seconds that its evidence may take, if longer than that of other commands."""
 
     ability: ClassVar[str] = ""
-    what: ClassVar[str] = ""
+    what: ClassVar[Message] = EMPTY
     within: ClassVar[float] = 0.0
 
     robot: str
@@ -54,9 +53,13 @@ class SetUpCommand(Struct, frozen=True):
         return None
 
     @property
-    def text(self) -> str:
+    def text(self) -> Message:
         """Return the command in words, without the robot."""
-        return f"{self.what} {heading_text(self.place)}" if self.place else self.what
+        return (
+            Message("{what} {heading_text}", what=self.what, heading_text=heading_text(self.place))
+            if self.place
+            else self.what
+        )
 
 
 class PoseCommand(SetUpCommand, frozen=True):
@@ -75,14 +78,14 @@ class SetPose(PoseCommand, frozen=True, tag=True):
     """Tell a robot its pose on the map of a floor."""
 
     ability: ClassVar[str] = POSE
-    what: ClassVar[str] = "set pose"
+    what: ClassVar[Message] = Message("set pose")
 
 
 class Localise(SetUpCommand, frozen=True, tag=True):
     """Let a robot find its pose again, anywhere on its map."""
 
     ability: ClassVar[str] = LOCALISE
-    what: ClassVar[str] = "localise"
+    what: ClassVar[Message] = Message("localise")
 
 
 class Settle(SetUpCommand, frozen=True, tag=True):
@@ -90,7 +93,7 @@ class Settle(SetUpCommand, frozen=True, tag=True):
     changes."""
 
     ability: ClassVar[str] = SETTLE
-    what: ClassVar[str] = "settle"
+    what: ClassVar[Message] = Message("settle")
 
     calls: int = MOST_SETTLES
 
@@ -99,56 +102,56 @@ class SendGoal(PoseCommand, frozen=True, tag=True):
     """Send a robot to a pose, beside the queue of orders that it keeps."""
 
     ability: ClassVar[str] = GOAL
-    what: ClassVar[str] = "go to"
+    what: ClassVar[Message] = Message("go to")
 
 
 class CancelGoal(SetUpCommand, frozen=True, tag=True):
     """Stop a robot that drives to a goal beside its queue, whoever sent it: such a goal has no id."""
 
     ability: ClassVar[str] = GOAL_CANCEL
-    what: ClassVar[str] = "cancel goal"
+    what: ClassVar[Message] = Message("cancel goal")
 
 
 class StartCharging(SetUpCommand, frozen=True, tag=True):
     """Let a vehicle charge where it stands, once it has driven its orders."""
 
     ability: ClassVar[str] = CHARGE
-    what: ClassVar[str] = "start charging"
+    what: ClassVar[Message] = Message("start charging")
 
 
 class SetMapping(SetUpCommand, frozen=True, tag=True):
     """Switch the mapping mode of a robot."""
 
     ability: ClassVar[str] = MAPPING
-    what: ClassVar[str] = "mapping"
+    what: ClassVar[Message] = Message("mapping")
 
     on: bool
 
     @property
-    def text(self) -> str:
+    def text(self) -> Message:
         """Return the command in words, without the robot."""
-        return f"mapping {'on' if self.on else 'off'}"
+        return Message("mapping on") if self.on else Message("mapping off")
 
 
 class StoreMap(SetUpCommand, frozen=True, tag=True):
     """Let a robot save the map of its floor under a name, on its own disk."""
 
     ability: ClassVar[str] = MAP_SAVE
-    what: ClassVar[str] = "store map"
+    what: ClassVar[Message] = Message("store map")
 
     name: str
 
     @property
-    def text(self) -> str:
+    def text(self) -> Message:
         """Return the command in words, without the robot."""
-        return f"{self.what} {self.name}"
+        return Message("{what} {name}", what=self.what, name=self.name)
 
 
 class StorePoseGraph(StoreMap, frozen=True, tag=True):
     """Let a robot save the pose graph behind its map, from which mapping can go on."""
 
     ability: ClassVar[str] = POSE_GRAPH_SAVE
-    what: ClassVar[str] = "store pose graph"
+    what: ClassVar[Message] = Message("store pose graph")
 
 
 class SendGraph(SetUpCommand, frozen=True, tag=True, dict=True):
@@ -157,7 +160,7 @@ class SendGraph(SetUpCommand, frozen=True, tag=True, dict=True):
     before stays beside it."""
 
     ability: ClassVar[str] = GRAPH
-    what: ClassVar[str] = "send graph"
+    what: ClassVar[Message] = Message("send graph")
     within: ClassVar[float] = 10.0
 
     floor: str
@@ -169,15 +172,10 @@ class SendGraph(SetUpCommand, frozen=True, tag=True, dict=True):
     is_kept: bool = False
 
     @property
-    def text(self) -> str:
+    def text(self) -> Message:
         """Return the command in words, without the robot."""
-        counted = counts_text(len(self.vertices), len(self.edges), len(self.labels))
-        return Message(
-            "{what} of {floor}: {counted}",
-            what=Message(self.what),
-            floor=self.floor,
-            counted=Message(counted),
-        )
+        counts = counts_text(len(self.vertices), len(self.edges), len(self.labels))
+        return Message("{what} of {floor}: {counts}", what=self.what, floor=self.floor, counts=counts)
 
     def is_graph(self, graph: RouteGraph, labels: Mapping[str, str]) -> bool:
         """Tell whether a robot's graph and labels are the ones sent; the types of vertices don't count.
@@ -206,9 +204,14 @@ def _ways(edges: tuple[Edge, ...], directed: bool) -> set[tuple[str, str]]:
     return ways if directed else ways | {(end, start) for start, end in ways}
 
 
-def counts_text(vertices: int, edges: int, labels: int) -> str:
+def counts_text(vertices: int, edges: int, labels: int) -> Message:
     """Return the size of a graph in words."""
-    return f"{counted(vertices, 'vertex', 'vertices')}, {counted(edges, 'edge')}, {counted(labels, 'label')}"
+    return Message(
+        "{vertices}, {edges}, {labels}",
+        vertices=counted("{count} vertex", "{count} vertices", vertices),
+        edges=counted("{count} edge", "{count} edges", edges),
+        labels=counted("{count} label", "{count} labels", labels),
+    )
 
 
 SetUp = (

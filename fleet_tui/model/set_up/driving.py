@@ -4,6 +4,8 @@ import math
 from enum import Enum
 from typing import NamedTuple, Protocol
 
+from fleet_tui.text.language import EMPTY, Message
+
 
 class Axis(Enum):
     """The ways a robot can move by itself, in the sequence of Speeds."""
@@ -51,7 +53,7 @@ class DriveState(NamedTuple):
 
     phase: DrivePhase = DrivePhase.STARTING
     sent: Speeds = STILL
-    reason: str = ""
+    reason: Message = EMPTY
     round_trip: float | None = None
 
 
@@ -65,5 +67,5 @@ class HandDrive(Protocol):
     def steer(self, steering: Steering) -> None:
         """Drive as the hand asks; the newest counts."""
 
-    def end(self, reason: str) -> None:
+    def end(self, reason: Message) -> None:
         """Stop the robot and end; the first reason counts."""

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.set_up.frames import Frames
+from fleet_tui.text.language import EMPTY, Message
 
 Points = NDArray[np.float32]
 """Shape (n, 2): x and y in metres."""
@@ -57,7 +58,7 @@ class CameraImage:
 
     data: bytes
     stamp: float | None = None
-    unshown: str = ""
+    unshown: Message = EMPTY
 
 
 @dataclass(frozen=True, eq=False, slots=True)

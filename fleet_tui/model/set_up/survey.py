@@ -29,7 +29,7 @@ class Survey(Struct, frozen=True):
         return self.columns * self.resolution, self.rows * self.resolution
 
     @property
-    def text(self) -> str:
+    def text(self) -> Message:
         """Return size and known area in words."""
         width, height = self.size
         cells = Message("{columns} x {rows} cells", columns=self.columns, rows=self.rows)

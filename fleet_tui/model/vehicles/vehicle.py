@@ -2,7 +2,7 @@
 
 from msgspec import Struct
 
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message, verbatim
 
 OFFLINE = "OFFLINE"
 BROKEN = "CONNECTIONBROKEN"
@@ -142,14 +142,14 @@ class Vehicle(Struct, frozen=True):
         return not self.mode or self.mode in DRIVES
 
     @property
-    def mode_text(self) -> str:
+    def mode_text(self) -> Message:
         """Return its mode in one word, empty for the usual ones."""
-        return "" if self.takes_orders else self.mode.lower()
+        return EMPTY if self.takes_orders else Message(self.mode.lower())
 
     @property
-    def e_stop_text(self) -> str:
+    def e_stop_text(self) -> Message:
         """Return the text of its emergency stop, empty if it is not active."""
-        return Message("e-stop ({mode})", mode=self.e_stop.lower()) if self.e_stop else ""
+        return Message("e-stop ({mode})", mode=self.e_stop.lower()) if self.e_stop else EMPTY
 
 
 class VehicleConnection(Struct, frozen=True):
@@ -171,15 +171,17 @@ class VehicleConnection(Struct, frozen=True):
         return self.word == HIBERNATING
 
     @property
-    def text(self) -> str:
+    def text(self) -> Message:
         """Return its state in words."""
         words = {
-            "ONLINE": "connected",
-            OFFLINE: "signed off",
-            BROKEN: "connection broken",
-            REMOVED: "removed from the broker",
+            "ONLINE": Message("connected"),
+            OFFLINE: Message("signed off"),
+            BROKEN: Message("connection broken"),
+            REMOVED: Message("removed from the broker"),
         }
-        return words.get(self.word, self.word.lower() or "connection unknown")
+        return words.get(self.word) or (
+            verbatim(self.word.lower()) if self.word else Message("connection unknown")
+        )
 
 
 class VehicleFeatures(Struct, frozen=True):

@@ -9,12 +9,13 @@ from fleet_tui.model.events import Event
 from fleet_tui.model.set_up.driving import HandDrive
 from fleet_tui.recording.play.player import Player
 from fleet_tui.state.store import Store
+from fleet_tui.text.language import Message
 
 
 class ReplayBackend:
     """Accepts no commands and has no connection; a player changes the state."""
 
-    refusal = "not sent: this is a recording"
+    refusal = Message("not sent: this is a recording")
 
     def __init__(self, player: Player, store: Store) -> None:
         self._player = player
@@ -30,7 +31,7 @@ class ReplayBackend:
     def open(self) -> None:
         self._player.start(self._store)
 
-    def submit(self, *_commands: Command) -> str:
+    def submit(self, *_commands: Command) -> Message:
         """Send nothing."""
         return self.refusal
 
@@ -38,9 +39,9 @@ class ReplayBackend:
         """Raise CommandError: a recording drives no robot."""
         raise CommandError(self.refusal)
 
-    def post(self, _event: Event) -> str:
+    def post(self, _event: Event) -> Message:
         """Ignore the event: a recording does not change."""
-        return "not possible in a recording"
+        return Message("not possible in a recording")
 
     def show_map(self, _robot: str, _floor: str) -> None:
         """Do nothing: the maps shown at the time are in the recording."""

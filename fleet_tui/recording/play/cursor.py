@@ -11,6 +11,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.recording.play.frames import Frames
 from fleet_tui.recording.recording import Recording
 from fleet_tui.recording.records import EventRecord, Keyframe, Record, RecordingError
+from fleet_tui.text.language import Message
 
 REMEMBERED_EVERY = 500
 """Records between two cached states, so that a step back need not start at the keyframe."""
@@ -53,7 +54,9 @@ class RecordingCursor:
         records = self._recording.records(wanted)
         first = next(records, None)
         if not isinstance(first, Keyframe) or first.at != wanted:
-            raise RecordingError(f"{self._recording.path.name} has changed since it was opened: reopen it")
+            raise RecordingError(
+                Message("{name} has changed since it was opened: reopen it", name=self._recording.path.name)
+            )
         self.frames.recount()
         self._records = records
         self._next: Record | None = None

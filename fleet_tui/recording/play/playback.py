@@ -11,7 +11,7 @@ from fleet_tui.recording.play.cursor import RecordingCursor
 from fleet_tui.recording.recording import LAST_SECOND, Instant, Recording
 from fleet_tui.recording.records import Mark
 from fleet_tui.text.details import detail_text
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message, joined
 from fleet_tui.view.lines.time import MarkKind, ReplayPosition, TimeMark, span
 
 SPEEDS = (0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0)
@@ -44,7 +44,7 @@ class Playback:
         self._reached: float | None = None
         self._busy: float | None = None
         self._jumps = 0
-        self._failure = ""
+        self._failure = EMPTY
         self._shown = self.head.state, self._moment()
         self.go_on()
 
@@ -139,11 +139,11 @@ class Playback:
             self.head.seek(at, looks)
         finally:
             self._busy = None
-        self._failure = ""
+        self._failure = EMPTY
         self._jumps += 1
         self.go_on()
 
-    def fail(self, note: str) -> None:
+    def fail(self, note: Message) -> None:
         """Stop, and report the reason."""
         self.paused = True
         self._failure = note
@@ -160,21 +160,35 @@ def _happened(marks: list[Mark]) -> Iterator[TimeMark]:
         record = mark.record
         if record.kind == "alarm" and record.change.startswith(_RISES):
             again = "" if record.change == "raised" else f" ({record.change})"
-            yield TimeMark(mark.at, MarkKind.ALARM, f"{record.robot or record.link} {record.words}{again}")
+            yield TimeMark(
+                mark.at,
+                MarkKind.ALARM,
+                Message(
+                    "{robot} {words}{again}",
+                    robot=record.robot or record.link,
+                    words=record.words,
+                    again=again,
+                ),
+            )
         elif record.kind == "command" and record.change in _WORDS:
             yield TimeMark(mark.at, MarkKind.COMMAND, _command(record))
 
 
-def _command(record: AuditRecord) -> str:
+def _command(record: AuditRecord) -> Message:
     places = [
         label or str(vertex)
         for vertex, label in ((record.start, record.start_label), (record.end, record.end_label))
         if vertex is not None
     ]
-    text = " ".join(part for part in (record.robot, record.what, " -> ".join(places)) if part)
+    text = joined(" ", (part for part in (record.robot, record.what, " -> ".join(places)) if part))
     if record.change == Stage.CHECKED.value:
         return text
-    return f"{text}: {record.change}{detail_text(record.words)}"
+    return Message(
+        "{text}: {change}{detail_text}",
+        text=text,
+        change=record.change,
+        detail_text=detail_text(record.words),
+    )
 
 
 def _gaps(recording: Recording) -> Iterator[TimeMark]:
@@ -193,7 +207,7 @@ def _gaps(recording: Recording) -> Iterator[TimeMark]:
         before = moment
 
 
-def _gap(missing: float) -> str:
+def _gap(missing: float) -> Message:
     if missing < 0:
         return Message("clock set back by {span}", span=span(-missing))
     return Message(

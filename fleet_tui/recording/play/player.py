@@ -13,6 +13,7 @@ from fleet_tui.recording.play.playback import Playback
 from fleet_tui.recording.play.times import moment_of
 from fleet_tui.recording.recording import Recording
 from fleet_tui.state.store import Store
+from fleet_tui.text.language import Message, message_of
 from fleet_tui.view.lines.time import ReplayPosition
 
 LOG = logging.getLogger(__name__)
@@ -110,7 +111,9 @@ class Player:
             self.seek(mark.at)
         if found:
             return ""
-        return f"no alarm, command or gap {'after' if step > 0 else 'before'} this"
+        if step > 0:
+            return Message("no alarm, command or gap after this")
+        return Message("no alarm, command or gap before this")
 
     @property
     def _going_to(self) -> float:
@@ -144,9 +147,11 @@ class Player:
             try:
                 job()
             except FleetError as problem:
-                self._playback.fail(str(problem))
+                self._playback.fail(message_of(problem))
             except Exception as problem:
                 LOG.exception("replay")
-                self._playback.fail(f"playback stopped: {problem} (see the log file)")
+                self._playback.fail(
+                    Message("playback stopped: {problem} (see the log file)", problem=problem)
+                )
             self._playback.show()
             store.put(self.state)

@@ -7,6 +7,7 @@ from datetime import date, datetime, time, timedelta
 
 from fleet_tui.errors import FleetError
 from fleet_tui.recording.recording import Recording
+from fleet_tui.text.language import Message
 
 FORMS = "12:04:31, 2024-05-31T12:04:31, or from the start +90s or +1m30s"
 
@@ -29,7 +30,7 @@ def _wall_of(text: str, recording: Recording) -> float:
     began."""
     with suppress(ValueError, OverflowError):
         return datetime.fromisoformat(text).astimezone().timestamp()
-    problem = FleetError(f"{text!r} is not a time: use {FORMS}")
+    problem = FleetError(Message("{text} is not a time: use {forms}", text=f"{text!r}", forms=FORMS))
     try:
         of_day = time.fromisoformat(text if ":" in text else "")
     except ValueError:
@@ -66,4 +67,12 @@ def _inside(at: float, text: str, recording: Recording) -> float:
         return max(begin.at, min(at, end.at))
     first, last = (f"{datetime.fromtimestamp(wall):%Y-%m-%d %H:%M:%S}" for wall in (begin.wall, end.wall))
     why = f" ({recording.note})" if recording.note else ""
-    raise FleetError(f"{text} is not in the recording, which covers {first} to {last}{why}")
+    raise FleetError(
+        Message(
+            "{text} is not in the recording, which covers {first} to {last}{why}",
+            text=text,
+            first=first,
+            last=last,
+            why=why,
+        )
+    )

@@ -3,6 +3,7 @@
 from fleet_tui.model.alarm import Condition, class_of
 from fleet_tui.situation.fact import AlarmClass
 from fleet_tui.situation.facts import FACTS
+from fleet_tui.text.language import Message
 
 CLASSES = {
     "stuck": AlarmClass(
@@ -10,7 +11,7 @@ CLASSES = {
         "no movement for `stuck_after` in spite of an order, without an obstacle or a pause;"
         " a later one does not end it",
         "its order is not carried out",
-        "Press w for the reasons; cancel the order or go to the robot",
+        Message("Press w for the reasons; cancel the order or go to the robot"),
         10,
     ),
     "command": AlarmClass(
@@ -18,35 +19,35 @@ CLASSES = {
         "a command was refused, not confirmed or carried out late; an order ended neither done nor cancelled"
         " here; high for a failed pause",
         "the robots are not doing as requested",
-        "Read the reason, check the robot, then give the command again",
+        Message("Read the reason, check the robot, then give the command again"),
         2,
     ),
     "issue": AlarmClass(
         "medium",
         "the fleet adapter of a robot reports an issue, or its driver an emergency or an adapter error",
         "it may stand until somebody looks; its fleet may give its tasks to others",
-        "Read the issue on the robot's page; look at its fleet adapter, and at the robot",
+        Message("Read the issue on the robot's page; look at its fleet adapter, and at the robot"),
         5,
     ),
     "facility": AlarmClass(
         "medium",
         "a lift in fire or emergency mode, or a lift, a door, a dispenser or an ingestor offline",
         "robots that need it wait there",
-        "Go to it and put it in service again, or close the lanes to it",
+        Message("Go to it and put it in service again, or close the lanes to it"),
         10,
     ),
     "held": AlarmClass(
         "low",
         "orders wait in this console; medium if another client took over the robot",
         "they are not carried out",
-        "Resume the robot, or clear its orders",
+        Message("Resume the robot, or clear its orders"),
         30,
     ),
     "battery": AlarmClass(
         "low",
         "below `battery_low`, at a charger for half an hour; medium below `battery_critical`",
         "the robot may stop on its way",
-        "Send it to a charger",
+        Message("Send it to a charger"),
         20,
     ),
     **{kind.name: kind.alarm for kind in FACTS if kind.alarm is not None},
@@ -54,6 +55,6 @@ CLASSES = {
 """All classes, by the names that the configuration uses."""
 
 
-def action_of(condition: Condition) -> str:
+def action_of(condition: Condition) -> Message:
     """Return what the operator is to do about a condition."""
     return condition.remedy or CLASSES[class_of(condition.kind)].action

@@ -81,7 +81,7 @@ def battery(state: FleetState, robot: Robot, active: ActiveConditions) -> Condit
     was_critical = before is not None and before.priority is Priority.MEDIUM
     critical = limits.battery_critical + (limits.battery_band if was_critical else 0.0)
     # Rounded down: 19.6 is below 20, and must not read 20.
-    text: str = Message("battery {value} %", value=int(reading.value))
+    text: Message = Message("battery {value} %", value=int(reading.value))
     if state.is_old(robot, "battery"):
         text += Message(", {age} ago", age=age(state.now - reading.at))
     due = -math.inf
@@ -90,7 +90,7 @@ def battery(state: FleetState, robot: Robot, active: ActiveConditions) -> Condit
         due = robot.standing.at + CHARGES_WITHIN
         text += Message(" after {age} at the charger", age=age(state.now - robot.standing.at))
     priority = Priority.MEDIUM if reading.value < critical else Priority.LOW
-    over, remedy = "battery charging or recovered", charging_remedy(state, robot)
+    over, remedy = Message("battery charging or recovered"), charging_remedy(state, robot)
     if charges and state.now >= due:
         remedy = LOOK_AT_CHARGER
     return Condition(robot.name, "battery", priority, text, over, due, remedy=remedy)
@@ -111,7 +111,7 @@ def pause(state: FleetState, robot: Robot, active: ActiveConditions) -> Conditio
     if not state.is_paused(robot) and robot.paused is not None:
         text = Message("pause last reported {age} ago", age=age(state.now - robot.paused.at))
     due = since + state.limits.pause_after
-    return Condition(robot.name, "pause", Priority.LOW, text, "pause ended", due)
+    return Condition(robot.name, "pause", Priority.LOW, text, Message("pause ended"), due)
 
 
 def stuck(state: FleetState, robot: Robot, active: ActiveConditions) -> Condition | None:
@@ -137,7 +137,12 @@ def stuck(state: FleetState, robot: Robot, active: ActiveConditions) -> Conditio
     if explained and not was_active(active, robot.name, robot.link, "stuck"):
         return None
     cause, driven = cause_of_standing(state, robot), robot.order_text(order)
-    text = f"{'paused, ' * is_paused}no movement for {age(state.now - place.at)} ({driven})"
+    text = Message(
+        "{paused}no movement for {age} ({driven})",
+        paused=Message("paused, ") if is_paused else "",
+        age=age(state.now - place.at),
+        driven=driven,
+    )
     if not known:
         text = Message("{driven}: not moving at last report", driven=driven)
     elif cause:
@@ -147,7 +152,7 @@ def stuck(state: FleetState, robot: Robot, active: ActiveConditions) -> Conditio
             cause=Message(cause),
             driven=driven,
         )
-    return Condition(robot.name, "stuck", Priority.MEDIUM, text, "no longer stuck", due)
+    return Condition(robot.name, "stuck", Priority.MEDIUM, text, Message("no longer stuck"), due)
 
 
 def bad_data(state: FleetState, source: Robot | LinkState, _active: ActiveConditions) -> Condition | None:

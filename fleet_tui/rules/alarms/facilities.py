@@ -41,8 +41,8 @@ def facility_conditions(state: FleetState) -> Iterator[Condition]:
                 source,
                 "facility",
                 Priority.MEDIUM,
-                f"{one.sort} {one.fault}",
-                Message("{sort} in service", sort=one.sort),
+                Message("{sort} {fault}", sort=Message(one.sort), fault=Message(one.fault)),
+                Message("{sort} in service", sort=Message(one.sort)),
             )
 
 

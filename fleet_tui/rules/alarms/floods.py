@@ -8,6 +8,7 @@ from msgspec import Struct
 from fleet_tui.model.alarm import Condition, Key, Priority
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.situation.facts import NEVER_SEEN
+from fleet_tui.text.language import Message, counted
 from fleet_tui.text.limits import some
 
 ActiveConditions = Mapping[Key, Condition]
@@ -21,18 +22,22 @@ FLOOD_SPAN = 3.0
 class Flood(Struct, frozen=True):
     """The text of an alarm group of one kind: `text` follows the number of robots."""
 
-    text: str
-    over: str
+    text: Message
+    over: Message
     priority: Priority
 
 
 FLOODS = {
-    "offline": Flood("offline", "robots back online", Priority.HIGH),
-    "stuck": Flood("with an order, not moving", "no longer stuck", Priority.MEDIUM),
-    "pause": Flood("in a long pause", "pauses ended", Priority.LOW),
-    "localisation": Flood("unsure of their position", "localisation recovered", Priority.MEDIUM),
-    "navigation": Flood("with silent navigation", "navigation reports again", Priority.MEDIUM),
-    "data": Flood("with bad data", "no new bad data", Priority.LOW),
+    "offline": Flood(Message("offline"), Message("robots back online"), Priority.HIGH),
+    "stuck": Flood(Message("with an order, not moving"), Message("no longer stuck"), Priority.MEDIUM),
+    "pause": Flood(Message("in a long pause"), Message("pauses ended"), Priority.LOW),
+    "localisation": Flood(
+        Message("unsure of their position"), Message("localisation recovered"), Priority.MEDIUM
+    ),
+    "navigation": Flood(
+        Message("with silent navigation"), Message("navigation reports again"), Priority.MEDIUM
+    ),
+    "data": Flood(Message("with bad data"), Message("no new bad data"), Priority.LOW),
 }
 
 
@@ -99,7 +104,13 @@ def _group(link: str, kind: str, members: Sequence[Condition]) -> Condition:
     return Condition(
         *group_key(link, kind),
         flood.priority,
-        f"{count} robot{'s' * (count != 1)} {text}: {some(names)}",
+        counted(
+            "{count} robot {text}: {some}",
+            "{count} robots {text}: {some}",
+            count,
+            text=text,
+            some=some(names),
+        ),
         flood.over,
         parts=frozenset(names),
     )

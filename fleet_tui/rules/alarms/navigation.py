@@ -13,7 +13,7 @@ from fleet_tui.situation.facts import UNCERTAIN
 from fleet_tui.situation.localisation import FOUND_BELOW, LOST_ABOVE, no_pose, uncertain
 from fleet_tui.situation.navigation import inactive, silent_navigation
 from fleet_tui.situation.robots import absence, adrift, drives_on
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import Message, counted
 from fleet_tui.text.units import age
 
 STARTS_WITHIN = 10.0
@@ -40,7 +40,7 @@ def not_sure_where(state: FleetState, robot: Robot, active: ActiveConditions) ->
         age=age(state.now - since),
         value=Message(robot.misplaced.value),
     )
-    return Condition(robot.name, "localisation", Priority.MEDIUM, text, "localisation recovered")
+    return Condition(robot.name, "localisation", Priority.MEDIUM, text, Message("localisation recovered"))
 
 
 def _pose_lost(state: FleetState, robot: Robot, active: ActiveConditions) -> Condition | None:
@@ -62,10 +62,15 @@ def held_orders(state: FleetState, robot: Robot, _active: ActiveConditions) -> C
     kept = sum(1 for _ in orders_to_save(state, robot))
     if not kept:
         return None
-    text = f"{robot.held}: {kept} order{'s' * (kept > 1)} waiting here, resume to continue"
+    text = counted(
+        "{held}: {count} order waiting here, resume to continue",
+        "{held}: {count} orders waiting here, resume to continue",
+        kept,
+        held=robot.held,
+    )
     priority = Priority.MEDIUM if robot.held in HELD_BY_OTHERS else Priority.LOW
     # Also by a clear, or by an order in their place.
-    return Condition(robot.name, "held", priority, text, "no orders held")
+    return Condition(robot.name, "held", priority, text, Message("no orders held"))
 
 
 def silent(state: FleetState, robot: Robot, _active: ActiveConditions) -> Condition | None:
@@ -85,7 +90,7 @@ def failed_order(state: FleetState, robot: Robot, _active: ActiveConditions) -> 
         return None
     text = Message("{order_text} failed", order_text=robot.order_text(last.order))
     cause, parts = cause_of_end(robot, last), frozenset({last.order.id})
-    found = f"{text}: {cause or 'no reason reported'}"
+    found = Message("{text}: {cause}", text=text, cause=cause or Message("no reason reported"))
     fact = drives_on(state, robot)
     remedy = fact.action if fact is not None else remedy_of(cause)
     return Condition(robot.name, "order", Priority.MEDIUM, found, text, parts=parts, remedy=remedy)

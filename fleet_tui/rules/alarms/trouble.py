@@ -18,7 +18,7 @@ from fleet_tui.situation.motion import moves_despite_pause, running_action, says
 from fleet_tui.situation.navigation import inactive
 from fleet_tui.situation.robots import absence, adrift, bad_data, obstacle, silent
 from fleet_tui.situation.vehicles import FINDERS
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, N_, Message
 
 LONG_STILL = 30.0
 """Seconds of standing with an order that are worth a look: longer than loading takes."""
@@ -26,7 +26,7 @@ LOOK_EVERY = 0.5
 """Seconds from one look at all of many robots to the next."""
 LOST_FOR = 60.0
 """Seconds for which an order that a robot lost is news."""
-AGING = ("pose", "battery", "queue", "cargo", "obstacle", "paused")
+AGING = (N_("pose"), N_("battery"), N_("queue"), N_("cargo"), N_("obstacle"), N_("paused"))
 """Values that must not be old while a robot is online."""
 
 
@@ -232,7 +232,7 @@ def needs_a_look(state: FleetState, name: str) -> bool:
     return name in in_trouble(state) or name in to_look_at(state)
 
 
-def trouble_elsewhere(state: FleetState, floor: str) -> str:
+def trouble_elsewhere(state: FleetState, floor: str) -> Message:
     """Return who is in trouble on other floors than this one and nobody knows of, after a `!`, else who is to
     be looked at there; empty if nobody."""
     away = _away(state, in_trouble(state) - acknowledged(state), floor)
@@ -243,7 +243,7 @@ def trouble_elsewhere(state: FleetState, floor: str) -> str:
     odd = _away(state, to_look_at(state), floor)
     if len(odd) == 1:
         return Message("look at {name} on {floor}", name=odd[0].name, floor=odd[0].floor)
-    return Message("look at {odd} on other floors", odd=len(odd)) if odd else ""
+    return Message("look at {odd} on other floors", odd=len(odd)) if odd else EMPTY
 
 
 def _away(state: FleetState, names: Iterable[str], floor: str) -> list[Robot]:

@@ -8,12 +8,13 @@ from fleet_tui.model.graph import Vertex
 from fleet_tui.model.order import DOCKING
 from fleet_tui.model.robot import Reading, Robot, RobotMap
 from fleet_tui.model.vehicles.vehicle import Vehicle
+from fleet_tui.text.language import EMPTY, Message
 
-ON_ITS_WAY = "Wait: it is on its way to a charger"
+ON_ITS_WAY = Message("Wait: it is on its way to a charger")
 """The action at a low battery of a robot that needs no further order."""
-CHARGES = "Wait: it is charging"
+CHARGES = Message("Wait: it is charging")
 """The action at a low battery of a robot that says so, or stands at a charger."""
-LOOK_AT_CHARGER = "Look at the robot and its charger"
+LOOK_AT_CHARGER = Message("Look at the robot and its charger")
 """The action if waiting did not help."""
 AT_CHARGER = 0.5
 """Metres within which a robot is at a charger."""
@@ -52,7 +53,7 @@ def charger_used(state: FleetState, robot: Robot) -> Vertex | None:
     return None if denies else charger_of(state, robot)
 
 
-def charging_remedy(state: FleetState, robot: Robot) -> str:
+def charging_remedy(state: FleetState, robot: Robot) -> Message:
     """Return what to do at a low battery, empty for the action of its class: it may charge, or one of its
     orders may end at a charger."""
     if charging_reported(state, robot) is not None or charger_used(state, robot) is not None:
@@ -64,4 +65,4 @@ def charging_remedy(state: FleetState, robot: Robot) -> str:
     for order in robot.orders.open:
         if order.label == DOCKING or (order.end is not None and order.end.vertex in chargers):
             return ON_ITS_WAY
-    return ""
+    return EMPTY

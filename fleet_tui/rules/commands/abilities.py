@@ -6,6 +6,7 @@ from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, PauseRob
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.kind import CANCEL, CLEAR, ORDER, ORDER_ANY, ORDER_TO, PAUSE, RESUME
 from fleet_tui.model.set_up.commands import SetUpCommand
+from fleet_tui.text.language import EMPTY, Message
 
 
 def ability_for(command: Command) -> str:
@@ -27,9 +28,9 @@ def ability_for(command: Command) -> str:
             assert_never(command)
 
 
-def unaccepted(state: FleetState, command: Command) -> str:
+def unaccepted(state: FleetState, command: Command) -> Message:
     """Return the reason that robots of this kind can't take a command, empty if they can."""
     robot = state.robots.get(command.robot)
     if robot is None or (ability := ability_for(command)) in robot.kind.accepts:
-        return ""
+        return EMPTY
     return robot.kind.lack(ability)

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from fleet_tui.model.commands import Command, CommandRecord, PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.rules.commands.pauses import FOREIGN
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import Message, joined
 from fleet_tui.text.limits import some
 
 TOGETHER = 0.3
@@ -53,18 +53,18 @@ def pauses(records: Sequence[CommandRecord]) -> list[list[CommandRecord]]:
     ]
 
 
-def batch_name(state: FleetState, commands: Sequence[Command]) -> str:
+def batch_name(state: FleetState, commands: Sequence[Command]) -> Message:
     """Return the name of pauses or resumes of several robots: `pause all`, `resume 3 robots`."""
     robots = {command.robot for command in commands}
-    verb = "pause" if isinstance(commands[0], PauseRobot) else "resume"
+    verb = Message("pause") if isinstance(commands[0], PauseRobot) else Message("resume")
     return (
-        Message("{verb} all", verb=Message(verb))
+        Message("{verb} all", verb=verb)
         if robots == set(state.robots)
-        else Message("{verb} {robots} robots", verb=Message(verb), robots=len(robots))
+        else Message("{verb} {robots} robots", verb=verb, robots=len(robots))
     )
 
 
-def summary(state: FleetState, batch: Sequence[CommandRecord]) -> tuple[str, str]:
+def summary(state: FleetState, batch: Sequence[CommandRecord]) -> tuple[Message, Message]:
     """Summarise a batch: `pause all` and `98 confirmed, 2 open (robot_5, robot_9)`. Open ones may still be
     carried out, or were, unseen."""
     found: dict[str, list[CommandRecord]] = defaultdict(list)
@@ -77,7 +77,7 @@ def summary(state: FleetState, batch: Sequence[CommandRecord]) -> tuple[str, str
         parts.append(
             Message("goals of other clients stopped, not resumable from here ({some})", some=some(foreign))
         )
-    return batch_name(state, [record.command for record in batch]), ", ".join(parts)
+    return batch_name(state, [record.command for record in batch]), joined(", ", parts)
 
 
 def _part(word: str, records: Sequence[CommandRecord]) -> str:

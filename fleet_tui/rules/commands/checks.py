@@ -33,7 +33,7 @@ from fleet_tui.rules.commands.route_checks import (
 )
 from fleet_tui.rules.commands.set_up import checks as set_up
 from fleet_tui.situation.robots import absence
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import Message, counted
 from fleet_tui.text.limits import some
 from fleet_tui.text.units import age
 
@@ -59,9 +59,9 @@ Check = Callable[[FleetState, Robot, Command], Iterator[Problem]]
 def permitted(allowed: Permissions) -> Iterator[Problem]:
     """Check that this console may send commands."""
     if allowed.read_only:
-        yield Problem("read-only", "this console is read-only")
+        yield Problem("read-only", Message("this console is read-only"))
     elif not allowed.armed:
-        yield Problem("not armed", "this console is not armed: use Arm in the palette (:)")
+        yield Problem("not armed", Message("this console is not armed: use Arm in the palette (:)"))
 
 
 def unknown_robot(state: FleetState, name: str) -> Problem:
@@ -71,7 +71,7 @@ def unknown_robot(state: FleetState, name: str) -> Problem:
         Message(
             "unknown robot {name}{did_you_mean}",
             name=name,
-            did_you_mean=Message(did_you_mean(name, state.robots)),
+            did_you_mean=did_you_mean(name, state.robots),
         ),
     )
 
@@ -80,17 +80,15 @@ def no_link(state: FleetState, robot: Robot, command: Command) -> Iterator[Probl
     """Check that commands would get through."""
     link = state.links[robot.link]
     if link.phase is not Phase.UP:
-        reason = link.reason or "not connected yet"
-        yield Problem(
-            "no link", Message("{name} is unreachable: {reason}", name=robot.name, reason=Message(reason))
-        )
+        reason = link.reason or Message("not connected yet")
+        yield Problem("no link", Message("{name} is unreachable: {reason}", name=robot.name, reason=reason))
     elif link.command_path is CommandPath.DEAD:
         yield Problem(
             "no link",
             Message(
                 "no command path to {name}: {command_reason}",
                 name=robot.name,
-                command_reason=Message(link.command_reason),
+                command_reason=link.command_reason,
             ),
         )
 
@@ -107,8 +105,8 @@ def silent(state: FleetState, robot: Robot, command: Command) -> Iterator[Proble
 def paused(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
     """Check that an order would be driven now."""
     if isinstance(command, PlaceOrder) and state.is_paused(robot):
-        how = "paused" if robot.paused is not None else own_pause_text(state, robot)
-        yield Problem("paused", Message("{name} is {how}", name=robot.name, how=Message(how)), blocks=False)
+        how = Message("paused") if robot.paused is not None else own_pause_text(state, robot)
+        yield Problem("paused", Message("{name} is {how}", name=robot.name, how=how), blocks=False)
 
 
 def unconfirmable_queue(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
@@ -117,12 +115,12 @@ def unconfirmable_queue(state: FleetState, robot: Robot, command: Command) -> It
         return
     if robot.kind.expects("queue") and not state.is_fresh(robot, "queue"):
         since = (
-            "was not received"
+            Message("was not received")
             if robot.queue is None
             else Message("is {age} old", age=age(state.now - robot.queue.at))
         )
         text = Message(
-            "the queue of {name} {since}: the order can't be confirmed", name=robot.name, since=Message(since)
+            "the queue of {name} {since}: the order can't be confirmed", name=robot.name, since=since
         )
         yield Problem("queue unheard", text, blocks=False)
 
@@ -141,11 +139,11 @@ def not_in_queue(state: FleetState, robot: Robot, command: Command) -> Iterator[
     old = not state.is_fresh(robot, "queue")
     order = next((one for one in all_orders(state, robot) if one.id == command.order_id), None)
     if order is None and robot.kind.lists_orders:
-        its = "an order" if robot.kind.keeps_goals else "in the queue"
+        its = Message("an order") if robot.kind.keeps_goals else Message("in the queue")
         text = Message(
             "order {order_id} is not {its} of {name}",
             order_id=command.order_id,
-            its=Message(its),
+            its=its,
             name=robot.name,
         )
         yield Problem("not in the queue", text + (" at last report" if old else ""), blocks=not old)
@@ -154,7 +152,7 @@ def not_in_queue(state: FleetState, robot: Robot, command: Command) -> Iterator[
             "order {order_id} of {name} is already {state_text}",
             order_id=command.order_id,
             name=robot.name,
-            state_text=Message(order.state_text),
+            state_text=order.state_text,
         )
         yield Problem("not in the queue", text, blocks=not old)
 
@@ -164,8 +162,14 @@ def nothing_to_clear(state: FleetState, robot: Robot, command: Command) -> Itera
     if isinstance(command, ClearOrders) and robot.kind.lists_orders:
         if clearable(state, robot):
             return
-        old, ours = not state.is_fresh(robot, "queue"), " of this console" * robot.kind.clears_own
-        text = f"{robot.name} {f'had no orders{ours} at last report' if old else f'has no orders{ours}'}"
+        old, ours = not state.is_fresh(robot, "queue"), Message(" of this console") * robot.kind.clears_own
+        text = Message(
+            "{name} {value}",
+            name=robot.name,
+            value=Message("had no orders{ours} at last report", ours=ours)
+            if old
+            else Message("has no orders{ours}", ours=ours),
+        )
         is_on_its_way = not all(one.is_decided for one in orders_of(state, robot))
         yield Problem("nothing to clear", text, blocks=not (old or is_on_its_way))
 
@@ -179,7 +183,9 @@ def cargo(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem
     if not command.with_cargo:
         if robot.has_cargo and not robot.orders.orders:
             start = robot.name_of(command.stops[0].vertex) or command.stops[0].vertex
-            text: str = Message("{name} carries cargo: drive to {start} first?", name=robot.name, start=start)
+            text: Message = Message(
+                "{name} carries cargo: drive to {start} first?", name=robot.name, start=start
+            )
             yield Problem("cargo on board", text, blocks=False)
     elif not robot.has_cargo:
         sure = state.is_fresh(robot, "cargo")
@@ -190,7 +196,12 @@ def cargo(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem
             sure,
         )
     elif waiting:
-        text = f"{robot.name} has cargo on board, and {waiting} order{'s' * (waiting > 1)} pending"
+        text = counted(
+            "{name} has cargo on board, and {count} order pending",
+            "{name} has cargo on board, and {count} orders pending",
+            waiting,
+            name=robot.name,
+        )
         yield Problem("cargo on board", text, blocks=False)
 
 
@@ -226,7 +237,9 @@ def not_accepted(state: FleetState, commands: Sequence[Command]) -> list[Problem
         if reason := unaccepted(state, command):
             robots.setdefault(reason, []).append(command.robot)
     return [
-        Problem("not accepted", f"{some(list(dict.fromkeys(names)))}: {reason}")
+        Problem(
+            "not accepted", Message("{some}: {reason}", some=some(list(dict.fromkeys(names))), reason=reason)
+        )
         for reason, names in robots.items()
     ]
 

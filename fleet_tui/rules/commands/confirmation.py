@@ -31,7 +31,7 @@ from fleet_tui.rules.commands.order_search import find_order, queue_since
 from fleet_tui.rules.commands.pauses import WAITS, instead_of_pause, pause_seen
 from fleet_tui.rules.commands.set_up.confirmation import instead_of_set_up, set_up_seen
 from fleet_tui.situation.motion import is_moving
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import Message, verbatim
 
 BIDDING = 15.0
 """Seconds for which fleets may bid for an order to any robot, before one has it."""
@@ -82,10 +82,7 @@ def _still_there(robot: Robot, record: CommandRecord) -> list[str] | None:
             left = []
         case _:
             assert_never(record.command)
-    return [
-        Message("order {id} is {state_text}", id=order.id, state_text=Message(order.state_text))
-        for order in left
-    ]
+    return [Message("order {id} is {state_text}", id=order.id, state_text=order.state_text) for order in left]
 
 
 def _is_bid_for(state: FleetState, record: CommandRecord) -> bool:
@@ -126,15 +123,17 @@ def _seen(state: FleetState, robot: Robot, record: CommandRecord, by_echo: bool)
             if order is None:
                 return record
             if order.state is OrderState.REFUSED and Stage.REFUSED in NEXT[record.stage]:
-                return record.advanced(Step(Stage.REFUSED, state.now, order.said))
+                return record.advanced(Step(Stage.REFUSED, state.now, verbatim(order.said)))
             if record.stage is Stage.SENT:  # a goal, whose acceptance has no other answer
                 record = record.advanced(Step(Stage.ACCEPTED, state.now))
-            step = Step(Stage.CONFIRMED, state.now, f"{IN_QUEUE}{order.id}")
+            step = Step(
+                Stage.CONFIRMED, state.now, Message("{in_queue}{name}", in_queue=IN_QUEUE, name=order.id)
+            )
             return record.recognised(order, step)
         case CancelOrder() | ClearOrders():
             if _is_bid_for(state, record) or _still_there(robot, record) != [] or _is_driven(state, record):
                 return record
-            return record.advanced(Step(Stage.CONFIRMED, state.now, "no longer in the queue"))
+            return record.advanced(Step(Stage.CONFIRMED, state.now, Message("no longer in the queue")))
         case PauseRobot():
             found = pause_seen(state, robot, record, wanted=True)
         case ResumeRobot():
@@ -155,16 +154,18 @@ def _instead(state: FleetState, robot: Robot, record: CommandRecord) -> str:
         case SetUpCommand():
             return instead_of_set_up(robot, record, record.command)
         case PlaceOrder() | CancelOrder() | ClearOrders() if offline:
-            return "no queue received since"
+            return Message("no queue received since")
         case PlaceOrder() if robot.kind.reports_ends:
             new = [one for one in robot.orders.orders if one.serial > (record.before.last_serial or 0)]
             several = len(new) > 1 and not record.name
-            return "ambiguous: several new goals" if several else "no new goal seen"
+            return Message("ambiguous: several new goals") if several else Message("no new goal seen")
         case PlaceOrder():
             unknown = record.before.last_serial is None
-            return "queue unknown before the command" if unknown else "order not in the queue"
+            return (
+                Message("queue unknown before the command") if unknown else Message("order not in the queue")
+            )
         case CancelOrder() | ClearOrders():
-            return ", ".join((_still_there(robot, record) or [])[:3]) or "no evidence in telemetry"
+            return ", ".join((_still_there(robot, record) or [])[:3]) or Message("no evidence in telemetry")
         case _:
             assert_never(record.command)
 
@@ -199,8 +200,8 @@ def confirm(state: FleetState, record: CommandRecord) -> CommandRecord:
         return looked
     if record.stage is Stage.SENT:
         record = record.advanced(Step(Stage.NO_ANSWER, state.now))
-    said = UNANSWERED if record.detail == UNANSWERED else record.stage.value
+    said = UNANSWERED if record.detail == UNANSWERED else Message(record.stage.value)
     if record.detail and record.stage is not Stage.ACCEPTED:
-        said += f": {record.detail}"
-    detail = f"{said}; {_instead(state, robot, record)}"
+        said = Message("{said}: {detail}", said=said, detail=record.detail)
+    detail = Message("{said}; {instead}", said=said, instead=_instead(state, robot, record))
     return record.advanced(Step(Stage.NOT_CONFIRMED, state.now, detail))

@@ -20,23 +20,23 @@ from fleet_tui.rules.commands.batches import batches
 from fleet_tui.situation.facts import STILL_MOVING
 from fleet_tui.situation.robots import drives_on as find_drives_on
 from fleet_tui.text.details import detail_text
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, N_, Message
 
 FAILED_FOR = 30.0
 """Seconds for which a command that failed counts as news."""
 _OVER = {
-    commands.Stage.NOT_CONFIRMED: "was not confirmed",
-    commands.Stage.LATE: "was carried out late",
+    commands.Stage.NOT_CONFIRMED: N_("was not confirmed"),
+    commands.Stage.LATE: N_("was carried out late"),
     **{stage: end.over for stage, end in commands.ORDER_ENDS.items()},
 }
 _CAUSED = frozenset({commands.Stage.REFUSED, commands.Stage.FAILED, commands.Stage.NOT_CONFIRMED})
 """Failures of which the cause is first: the request is known to the operator."""
-CARRIED_OUT = "Do not repeat the command: the robot has carried it out"
-MAY_FOLLOW = (
+CARRIED_OUT = Message("Do not repeat the command: the robot has carried it out")
+MAY_FOLLOW = Message(
     "Look at the robot and its queue, and do not repeat the order before: it may still be carried out"
 )
-DRIVES_ON = "It still has the order: pause it, or stop it at the robot, then cancel again"
-REJECTED = "Check that its navigation is active: `fleet-tui doctor` asks it"
+DRIVES_ON = Message("It still has the order: pause it, or stop it at the robot, then cancel again")
+REJECTED = Message("Check that its navigation is active: `fleet-tui doctor` asks it")
 MANY = 5
 """Failed commands to at least this many robots given together are one alarm."""
 
@@ -57,18 +57,18 @@ def has_failed(record: commands.CommandRecord) -> bool:
     return record.stage in commands.FAILURES and record.stage is not commands.Stage.NOT_SENT
 
 
-def _request_text(robot: Robot, command: commands.Command) -> str:
+def _request_text(robot: Robot, command: commands.Command) -> Message:
     match command:
         case commands.PlaceOrder(_, stops):
             return command.text(robot.kind, route_text(stops, lambda vertex: robot.name_of(vertex) or vertex))
         case commands.CancelOrder(_, order_id):
             return Message("cancel order {order_id}", order_id=order_id)
         case commands.ClearOrders():
-            return "clear all orders"
+            return Message("clear all orders")
         case commands.PauseRobot():
-            return "pause"
+            return Message("pause")
         case commands.ResumeRobot():
-            return "resume"
+            return Message("resume")
         case SetUpCommand():
             return command.text
         case _:
@@ -108,16 +108,16 @@ def taken_back(state: FleetState) -> set[Key]:
     return {alarm.key for alarm in alarms if alarm.condition.parts and alarm.condition.parts <= corrected}
 
 
-def _cause(robot: Robot, last: commands.CommandRecord) -> str:
+def _cause(robot: Robot, last: commands.CommandRecord) -> Message:
     """Return why an order of this console failed, empty if nothing tells."""
-    detail = last.detail.removeprefix(f"order {last.order_id}: ")
+    detail = last.reason
     gone = next((one for one in reversed(robot.gone) if one.order.id == last.order_id), None)
     if gone is not None and detail in ("", UNSAID):
         return cause_of_end(robot, gone)
-    return "" if detail == UNSAID else detail
+    return EMPTY if detail == UNSAID else detail
 
 
-def failure_remedy(state: FleetState, robot: Robot, last: commands.CommandRecord) -> str:
+def failure_remedy(state: FleetState, robot: Robot, last: commands.CommandRecord) -> Message:
     """Return what to do about a command that failed, empty for the action of its class."""
     is_order = isinstance(last.command, commands.PlaceOrder)
     removes = isinstance(last.command, commands.CancelOrder | commands.ClearOrders)
@@ -132,25 +132,29 @@ def failure_remedy(state: FleetState, robot: Robot, last: commands.CommandRecord
     drives = isinstance(last.command, commands.PlaceOrder | commands.ResumeRobot)
     if drives and robot.kind.keeps_goals and last.stage is commands.Stage.REFUSED:
         return REJECTED
-    remedy = remedy_of(_cause(robot, last)) if last.stage is commands.Stage.FAILED else ""
+    remedy = remedy_of(_cause(robot, last)) if last.stage is commands.Stage.FAILED else EMPTY
     end = commands.ORDER_ENDS.get(last.stage)
-    return remedy or (end.remedy if end is not None else "")
+    return remedy or (end.remedy if end is not None else EMPTY)
 
 
-def _texts(robot: Robot, last: commands.CommandRecord, request: str) -> tuple[str, str]:
+def _texts(robot: Robot, last: commands.CommandRecord, request: Message) -> tuple[Message, Message]:
     """Return the text of a failure while it is news, and after."""
-    detail = last.detail.removeprefix(f"order {last.order_id}: ")
+    detail = last.reason
     if last.stage is commands.Stage.FAILED and isinstance(last.command, commands.PlaceOrder):
         # In the form of an order of another client.
-        cause = _cause(robot, last) or "no reason reported"
-        return Message("{request} failed: {cause}", request=Message(request), cause=Message(cause)), Message(
-            "{request} failed", request=Message(request)
+        cause = _cause(robot, last) or Message("no reason reported")
+        return Message("{request} failed: {cause}", request=request, cause=cause), Message(
+            "{request} failed", request=request
         )
-    told = f"{request}{detail_text(last.detail)}"
+    told = request + detail_text(last.detail)
     if last.stage in _CAUSED and last.detail:
-        told = f"{detail} ({request})"
+        told = Message("{detail} ({request})", detail=detail, request=request)
     # The failure and its cause are first: they must not be cut at the right end.
-    return f"{last.stage.value}: {told}", f"{_OVER.get(last.stage, 'failed')}: {request}"
+    over = Message(_OVER.get(last.stage, "failed"))
+    return (
+        Message("{stage}: {told}", stage=Message(last.stage.value), told=told),
+        Message("{stage}: {told}", stage=over, told=request),
+    )
 
 
 def _failed(state: FleetState, key: Key, records: Sequence[commands.CommandRecord]) -> Condition:
@@ -167,8 +171,8 @@ def _failed(state: FleetState, key: Key, records: Sequence[commands.CommandRecor
     return Condition(
         *key,
         Priority.HIGH if high else Priority.MEDIUM,
-        f"{whose}{told}",
-        f"{whose}{over}",
+        Message("{whose}{told}", whose=whose, told=told),
+        Message("{whose}{over}", whose=whose, over=over),
         # A failure that changes into another one is news.
         parts=frozenset(f"{record.id} {record.stage.value}" for record in records),
         remedy=failure_remedy(state, robot, last),

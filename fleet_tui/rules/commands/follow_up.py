@@ -75,7 +75,7 @@ def _lost_pause(state: FleetState, robot: Robot, record: CommandRecord) -> Comma
         Step(
             Stage.LOST,
             state.now,
-            Message("{STARTED_OVER}: no longer paused", STARTED_OVER=Message(STARTED_OVER)),
+            Message("{STARTED_OVER}: no longer paused", STARTED_OVER=STARTED_OVER),
         )
     )
 
@@ -90,20 +90,20 @@ def _ended(state: FleetState, robot: Robot, record: CommandRecord) -> CommandRec
     if answers and record.answer is None and state.now - gone.at < ANSWER_WITHIN:
         return record  # its own answer has the reason
     if _is_held(state, record, gone):
-        return _waiting(state, robot, record, "stopped, goal kept here")
+        return _waiting(state, robot, record, Message("stopped, goal kept here"))
     stage, reason, is_open = end_of(state, robot, gone, record)
     if stage is Stage.DONE and record.has_further_leg(robot.kind):
         if removals(state, robot, gone, record):
             # The rest is kept here: having sent the request suffices, whatever the robot did with it.
             return _advanced_to(state, record, Stage.CANCELLED, BY_THIS_CONSOLE)
         record = replace(record, leg=record.leg + 1)
-        return _waiting(state, robot, record, "stop reached, next goal follows")
+        return _waiting(state, robot, record, Message("stop reached, next goal follows"))
     answer = record.answer
     if answer is not None and (stage in (Stage.DONE, Stage.FAILED) or (stage, answer.stage) == _UNSEEN):
         # Skipped stops are only in its answer.
         stage, reason = answer.stage, answer.detail or reason
     elif answers and stage is Stage.DONE and _is_of_several_stops(record):
-        reason = "succeeded, result missing: stops may have been missed"
+        reason = Message("succeeded, result missing: stops may have been missed")
     elif is_open:
         return record  # another console may have removed it
     if stage is Stage.FAILED and robot.kind.keeps_goals:
@@ -112,17 +112,17 @@ def _ended(state: FleetState, robot: Robot, record: CommandRecord) -> CommandRec
     return _advanced_to(state, record, stage, reason)
 
 
-def _cause(robot: Robot, gone: GoneOrder, reason: str) -> str:
+def _cause(robot: Robot, gone: GoneOrder, reason: Message) -> Message:
     """Return the reason of a failure: where none came with it, that of the robot's log."""
     return (cause_of_end(robot, gone) or reason) if reason == UNSAID else reason
 
 
-def _advanced_to(state: FleetState, record: CommandRecord, stage: Stage, reason: str) -> CommandRecord:
+def _advanced_to(state: FleetState, record: CommandRecord, stage: Stage, reason: Message) -> CommandRecord:
     return record.advanced(
         Step(
             stage,
             state.now,
-            Message("order {order_id}: {reason}", order_id=record.order_id, reason=Message(reason)),
+            Message("order {order_id}: {reason}", order_id=record.order_id, reason=reason),
         )
     )
 
@@ -152,17 +152,17 @@ def _corrected(state: FleetState, robot: Robot, record: CommandRecord) -> Comman
         state,
         record,
         stage,
-        Message("{reason}; corrects: {value}", reason=Message(reason), value=Message(record.stage.value)),
+        Message("{reason}; corrects: {value}", reason=reason, value=Message(record.stage.value)),
     )
 
 
-def _waiting(state: FleetState, robot: Robot, record: CommandRecord, why: str) -> CommandRecord:
+def _waiting(state: FleetState, robot: Robot, record: CommandRecord, why: Message) -> CommandRecord:
     assert record.order_id is not None
     kept = record.advanced(
         Step(
             Stage.WAITING,
             state.now,
-            Message("order {order_id}: {why}", order_id=record.order_id, why=Message(why)),
+            Message("order {order_id}: {reason}", order_id=record.order_id, reason=why),
         )
     )
     goals = (*record.earlier_goals, record.order_id)
@@ -224,7 +224,7 @@ def _carried_out_late(state: FleetState, robot: Robot, record: CommandRecord) ->
             assert_never(record.command)
     if not happened or state.now - record.at > LATE_OTHER:
         return record
-    return record.advanced(_late(state, record, "reported by the robot"))
+    return record.advanced(_late(state, record, Message("reported by the robot")))
 
 
 def _reports_pause(state: FleetState, robot: Robot, record: CommandRecord, wanted: bool) -> bool:
@@ -244,11 +244,9 @@ def _is_repeated(state: FleetState, record: CommandRecord) -> bool:
     )
 
 
-def _late(state: FleetState, record: CommandRecord, shown: str) -> Step:
+def _late(state: FleetState, record: CommandRecord, shown: Message) -> Step:
     return Step(
         Stage.LATE,
         state.now,
-        Message(
-            "{shown}, {age} after the command", shown=Message(shown), age=age(state.now - record.issued_at)
-        ),
+        Message("{shown}, {age} after the command", shown=shown, age=age(state.now - record.issued_at)),
     )

@@ -22,11 +22,11 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import SendGoal, StartCharging
 from fleet_tui.rules.commands.goals import own_ids
 from fleet_tui.rules.commands.masters import asked_about, own_mode
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message
 
 PREFIX = "k"
 """Prefix of the ids of orders that are kept here: a robot's goals have hexadecimal ones."""
-ANOTHER_CLIENT = "another client drives"
+ANOTHER_CLIENT = Message("another client drives")
 HELD_BY_OTHERS = (ANOTHER_CLIENT, "someone else drives")
 """The second is that of older recordings."""
 
@@ -137,14 +137,16 @@ def is_busy(state: FleetState, robot: Robot, command_id: int) -> bool:
     )
 
 
-def failed_before(state: FleetState, robot: Robot, command_id: int) -> str:
+def failed_before(state: FleetState, robot: Robot, command_id: int) -> Message:
     """Return how an order that was given together with a command, before it, has failed already; empty if
     none has."""
     orders = orders_of(state, robot)
     given_at = next((one.issued_at for one in orders if one.id == command_id), None)
     together = (one for one in orders if one.issued_at == given_at and one.id < command_id)
     failed = (one for one in together if one.is_decided and one.stage not in _WELL)
-    return next((Message("order before it: {value}", value=Message(one.stage.value)) for one in failed), "")
+    return next(
+        (Message("order before it: {value}", value=Message(one.stage.value)) for one in failed), EMPTY
+    )
 
 
 def next_to_send(state: FleetState, robot: Robot) -> CommandRecord | None:
@@ -161,24 +163,24 @@ def next_to_send(state: FleetState, robot: Robot) -> CommandRecord | None:
     return None if next(_reasons(state, robot), "") else kept[0]
 
 
-def withdrawn(state: FleetState, command_id: int, since: float) -> str:
+def withdrawn(state: FleetState, command_id: int, since: float) -> Message:
     """Return the reason not to send a goal any more that was given a moment ago, at `since` (monotonic);
     empty if it may be sent, and for any other command."""
     record = next((one for one in state.commands if one.id == command_id), None)
     if record and not _drives(state, record.command):
-        return ""
+        return EMPTY
     if record is None or record.stage not in (Stage.CHECKED, Stage.WAITING):
-        return "cancelled before it was sent"
+        return Message("cancelled before it was sent")
     if record.stage is Stage.CHECKED:  # never queued: a pause may be given while this is still written down
         since = record.issued_at
     for other in state.commands:
         meant = other.command.robot == record.command.robot and other.issued_at > since
         if meant and other.stage not in (Stage.REFUSED, Stage.NOT_SENT):
             if isinstance(other.command, PauseRobot):
-                return "robot paused before it was sent"
+                return Message("robot paused before it was sent")
             if isinstance(other.command, ClearOrders):
-                return "robot's orders cleared before it was sent"
-    return ""
+                return Message("robot's orders cleared before it was sent")
+    return EMPTY
 
 
 def _drives(state: FleetState, command: Command) -> bool:
@@ -187,7 +189,7 @@ def _drives(state: FleetState, command: Command) -> bool:
     return isinstance(command, SendGoal) or (is_order and state.robots[command.robot].kind.keeps_goals)
 
 
-def hold_all(state: FleetState, reason: str) -> Iterator[QueueHeld]:
+def hold_all(state: FleetState, reason: Message) -> Iterator[QueueHeld]:
     """Return the events that hold every queue with stops left to send."""
     return (QueueHeld(robot.name, reason) for robot in state.robots.values() if _has_more(state, robot))
 
@@ -217,20 +219,20 @@ def _with_held_queue(state: FleetState, robot: Robot) -> Robot:
     return replace(robot, held=held, accepted=accepted)
 
 
-def _held(state: FleetState, robot: Robot) -> str:
+def _held(state: FleetState, robot: Robot) -> Message:
     """Return the reason to hold its queue from now on: the first one counts, as long as there is something to
     send."""
     if not _has_more(state, robot):
-        return ""
-    return robot.held or next(_reasons(state, robot), "")
+        return EMPTY
+    return robot.held or next(_reasons(state, robot), EMPTY)
 
 
-def _reasons(state: FleetState, robot: Robot) -> Iterator[str]:
+def _reasons(state: FleetState, robot: Robot) -> Iterator[Message]:
     if foreign(state, robot):
         yield ANOTHER_CLIENT
     link, last = state.links[robot.link], robot.last_received
     if link.phase is not Phase.UP:
-        yield "the link was lost"
+        yield Message("the link was lost")
     elif last is not None and last >= link.since and not state.is_online(robot):  # else it was not heard yet
         yield Message("{name} was offline", name=robot.name)
     for one in waiting(state, robot)[:1]:
@@ -251,4 +253,8 @@ def _reasons(state: FleetState, robot: Robot) -> Iterator[str]:
     if before is None or not before.is_decided or before.has_open_order or before.at <= robot.released_at:
         return
     if before.stage not in _WELL:
-        yield f"{f'order {before.order_id}' if before.order_id else 'previous order'}: {before.stage.value}"
+        stage = Message(before.stage.value)
+        if before.order_id:
+            yield Message("order {order_id}: {stage}", order_id=before.order_id, stage=stage)
+        else:
+            yield Message("previous order: {stage}", stage=stage)

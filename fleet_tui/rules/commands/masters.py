@@ -10,7 +10,7 @@ from fleet_tui.model.problem import Problem
 from fleet_tui.model.robot import Robot, RobotMap
 from fleet_tui.model.vehicles.vehicle import HIGH
 from fleet_tui.rules.commands.goals import active
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.text.limits import some
 from fleet_tui.text.units import age
 
@@ -59,10 +59,10 @@ def _pairs(nodes: Sequence[str]) -> Ways:
     return {frozenset(pair) for pair in pairwise(nodes)}
 
 
-def other_master(now: float, robot: Robot, command: Command) -> str:
+def other_master(now: float, robot: Robot, command: Command) -> Message:
     """Return the reason that another master control forbids a command to a vehicle, empty if none does."""
     if robot.vehicle is None or not isinstance(command, PlaceOrder | CancelOrder | ClearOrders):
-        return ""
+        return EMPTY
     if robot.master is not None and now - robot.master.at < QUIET_FOR:
         seen = Message(
             "{value}, {age} ago", value=Message(robot.master.value), age=age(now - robot.master.at)
@@ -77,7 +77,7 @@ def other_master(now: float, robot: Robot, command: Command) -> str:
     return (
         Message("{name} drives order {foreign} of another master control", name=robot.name, foreign=foreign)
         if foreign
-        else ""
+        else EMPTY
     )
 
 
@@ -97,7 +97,7 @@ def own_mode(state: FleetState, robot: Robot, command: Command) -> Iterator[Prob
                 Message(
                     "{name} is in mode {mode_text}: it takes no orders",
                     name=robot.name,
-                    mode_text=Message(vehicle.mode_text),
+                    mode_text=vehicle.mode_text,
                 ),
             )
         if vehicle.e_stop:
@@ -106,7 +106,7 @@ def own_mode(state: FleetState, robot: Robot, command: Command) -> Iterator[Prob
                 Message(
                     "{name} is stopped: {e_stop_text}",
                     name=robot.name,
-                    e_stop_text=Message(vehicle.e_stop_text),
+                    e_stop_text=vehicle.e_stop_text,
                 ),
                 blocks=False,
             )

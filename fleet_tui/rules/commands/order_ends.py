@@ -18,6 +18,7 @@ from fleet_tui.model.order import Order
 from fleet_tui.model.order_life import STARTED_OVER, GoneOrder
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import SetUpCommand
+from fleet_tui.text.language import Message
 
 EVIDENCE_WITHIN = 1.0
 """Seconds within which another console's command is known here: the end of its order may be seen before."""
@@ -32,14 +33,14 @@ REMOVED_WITHIN = 60.0
 REMOVED = frozenset({Stage.ACCEPTED, Stage.CONFIRMED, Stage.LATE})
 """Stages of a cancel or clear that took an order away, also one whose robot stood at its end."""
 MAY_HAVE_REMOVED = REMOVED | {Stage.SENT, Stage.NO_ANSWER, Stage.UNKNOWN, Stage.NOT_CONFIRMED}
-BY_THIS_CONSOLE = "by this console"
+BY_THIS_CONSOLE = Message("by this console")
 
 
 class ExplainedEnd(NamedTuple):
     """One of ORDER_ENDS and its reason; `is_open`: for a moment yet, evidence for another one may come."""
 
     stage: Stage
-    reason: str
+    reason: Message
     is_open: bool = False
 
 
@@ -64,7 +65,7 @@ def seen_end(state: FleetState, robot: Robot, gone: GoneOrder) -> ExplainedEnd:
     """Explain the end of an order of any client: one of this console as its command tells it."""
     record = placed_by(state, robot, gone.order)
     if record is not None and record.stage in ORDER_ENDS:
-        return ExplainedEnd(record.stage, record.detail.removeprefix(f"order {record.order_id}: "))
+        return ExplainedEnd(record.stage, record.reason)
     end = end_of(state, robot, gone, record)
     if (elsewhere := given_elsewhere(state, robot, gone.order)) and elsewhere.stage not in ORDER_ENDS:
         # Its console knows whether that was the end, unless it is gone: then a first goal is none.

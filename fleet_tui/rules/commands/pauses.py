@@ -8,7 +8,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.goals import active, own_ids
 from fleet_tui.rules.commands.local_queue import orders_of, waiting
 from fleet_tui.situation.motion import STANDS_AFTER, moves_despite_pause, stands_since
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import Message, joined
 
 WAITS = frozenset({Stage.ACCEPTED, Stage.NO_ANSWER, Stage.UNKNOWN})
 """Text of a pause that telemetry decides."""
@@ -20,13 +20,17 @@ def is_held(state: FleetState, robot: Robot) -> bool:
     return state.is_paused(robot) and moves_despite_pause(state, robot) is None
 
 
-def own_pause_text(state: FleetState, robot: Robot) -> str:
+def own_pause_text(state: FleetState, robot: Robot) -> Message:
     """Return the pause state of a robot that does not report it, as far as this console knows."""
     if (fact := moves_despite_pause(state, robot)) is not None:
         return fact.text
     if robot.kind.holds:
-        return "stopped, goal kept here" if waiting(state, robot) else "stopped, no goal to keep"
-    return "paused (by us)"
+        return (
+            Message("stopped, goal kept here")
+            if waiting(state, robot)
+            else Message("stopped, no goal to keep")
+        )
+    return Message("paused (by us)")
 
 
 def is_overtaken(state: FleetState, record: CommandRecord) -> bool:
@@ -63,11 +67,11 @@ def pause_seen(state: FleetState, robot: Robot, record: CommandRecord, wanted: b
     sent = record.time_of(Stage.SENT) or record.issued_at
     if robot.paused is not None:
         if robot.paused.at > sent and robot.paused.value is wanted:
-            return Step(Stage.CONFIRMED, state.now, "by the robot")
+            return Step(Stage.CONFIRMED, state.now, Message("by the robot"))
         return None
     if wanted and record.before.moving:
         has_stopped = stopped(state, robot, record)
-        return Step(Stage.CONFIRMED, state.now, "the robot stopped") if has_stopped else None
+        return Step(Stage.CONFIRMED, state.now, Message("the robot stopped")) if has_stopped else None
     return None if robot.says_paused else taken
 
 
@@ -79,7 +83,7 @@ def _held(state: FleetState, robot: Robot, record: CommandRecord, wanted: bool) 
             (one.time_of(Stage.SENT) or 0.0) >= record.issued_at for one in orders_of(state, robot)
         )
         goes_on = has_left or waiting(state, robot)
-        detail = "waiting orders continue" if goes_on else "no orders waiting here"
+        detail = Message("waiting orders continue") if goes_on else Message("no orders waiting here")
         return Step(Stage.CONFIRMED, state.now, detail)
     if record.stage is not Stage.ACCEPTED and not any(
         one.stage is Stage.CANCELLED and one.at >= record.issued_at for one in robot.gone
@@ -91,22 +95,22 @@ def _held(state: FleetState, robot: Robot, record: CommandRecord, wanted: bool) 
     if not state.is_online(robot) or (moved and not stopped(state, robot, record)):
         return None  # another client may drive it on
     kept = any(one.order_id for one in waiting(state, robot))
-    detail = "stopped, goal kept here" if kept else "stopped, no goal to keep"
+    detail = Message("stopped, goal kept here") if kept else Message("stopped, no goal to keep")
     ours = own_ids(robot.goals) | {one.order_id for one in orders_of(state, robot)}
     ended = [gone for gone in robot.gone if gone.at >= record.issued_at and gone.stage is Stage.CANCELLED]
     goals = [robot.order_text(gone.order) for gone in ended if gone.order.id not in ours]
     motions = [one.value for one in robot.stopped_motions if one.at >= record.issued_at]
     if foreign := [*(goal.replace("order", "goal", 1) for goal in goals), *dict.fromkeys(motions)]:
-        detail = foreign_stopped(", ".join(foreign))
+        detail = foreign_stopped(joined(", ", foreign))
     return Step(Stage.CONFIRMED, state.now, detail)
 
 
-def foreign_stopped(what: str) -> str:
+def foreign_stopped(what: Message) -> Message:
     """Return the detail of a pause that ended what another client had asked for."""
-    return Message("stopped, also another client's {what}, not resumable from here", what=Message(what))
+    return Message("stopped, also another client's {what}, not resumable from here", what=what)
 
 
-FOREIGN = foreign_stopped("|").partition("|")[0]
+FOREIGN = foreign_stopped(Message("|")).partition("|")[0]
 """Begin of such a detail."""
 
 
@@ -124,22 +128,22 @@ def instead_of_pause(state: FleetState, robot: Robot, record: CommandRecord) -> 
     """Return the evidence of telemetry if a pause or resume can't be seen to have been carried out."""
     wanted = isinstance(record.command, PauseRobot)
     if robot.kind.holds and not state.is_online(robot):
-        return HALF_DEAD if state.links[robot.link].is_half_dead else "the robot is offline"
+        return HALF_DEAD if state.links[robot.link].is_half_dead else Message("the robot is offline")
     if robot.kind.holds:
         going = [
-            Message("order {id} is {state_text}", id=order.id, state_text=Message(order.state_text))
+            Message("order {id} is {state_text}", id=order.id, state_text=order.state_text)
             for order in robot.orders.open
         ]
         is_moving = wanted and record.before.moving and not stopped(state, robot, record)
         return ", ".join(going[:3]) or (
-            "the robot was not seen to stop" if is_moving else "no evidence in telemetry"
+            Message("the robot was not seen to stop") if is_moving else Message("no evidence in telemetry")
         )
     if robot.paused is not None:
-        return "the robot reported no pause" if wanted else "the robot reported a pause"
+        return Message("the robot reported no pause") if wanted else Message("the robot reported a pause")
     if robot.says_paused:
-        return "no message on the pause topic"
+        return Message("no message on the pause topic")
     if not wanted or not record.before.moving or is_overtaken(state, record):
-        return "no evidence in telemetry"
+        return Message("no evidence in telemetry")
     if robot.pose is None or robot.pose.at - record.issued_at < STANDS_AFTER:
-        return "no pose received since"
-    return "the robot kept moving"
+        return Message("no pose received since")
+    return Message("the robot kept moving")

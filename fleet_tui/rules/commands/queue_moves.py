@@ -10,7 +10,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.local_queue import turn_of, waiting
 from fleet_tui.text.language import Message
 
-Move = tuple[str, str]
+Move = tuple[Message, str]
 """The name of a move, and the id of the order before which it puts one, empty for the end."""
 
 
@@ -26,11 +26,11 @@ def moves(state: FleetState, robot: Robot, order_id: str) -> Iterator[Move]:
         return
     place = ids.index(order_id)
     if place > 0:
-        yield "Move up", ids[place - 1]
+        yield Message("Move up"), ids[place - 1]
     if place > 1:
-        yield "Move to the front", ids[0]
+        yield Message("Move to the front"), ids[0]
     if place < len(ids) - 1:
-        yield "Move down", next(iter(ids[place + 2 :]), "")
+        yield Message("Move down"), next(iter(ids[place + 2 :]), "")
 
 
 def moved(state: FleetState, robot: Robot, order_id: str, before: str, at: float) -> Iterator[CommandRecord]:
@@ -44,7 +44,11 @@ def moved(state: FleetState, robot: Robot, order_id: str, before: str, at: float
     # The same turns in another sequence: nothing else changes its place.
     for id_, turn in zip(ids, map(turn_of, found.values()), strict=True):
         if id_ == order_id:
-            where = Message("moved before order {before}", before=before) if before else "moved to the end"
+            where = (
+                Message("moved before order {before}", before=before)
+                if before
+                else Message("moved to the end")
+            )
             yield replace(found[id_].advanced(Step(Stage.WAITING, at, where)), turn=turn)
         elif turn_of(found[id_]) != turn:
             yield replace(found[id_], turn=turn)

@@ -31,7 +31,7 @@ def _are_at_once(state: FleetState, command: CommandElsewhere) -> Iterator[bool]
             yield abs(record.issued_at - command.at) < AT_ONCE and state.now - newest < SHOWN_FOR
 
 
-def rivals_text(state: FleetState, robot: str) -> str:
+def rivals_text(state: FleetState, robot: str) -> Message:
     """Return who else commands a robot, from where and what, empty for nobody."""
     return joined(
         ", ",

@@ -60,14 +60,16 @@ def unknown_vertex(state: FleetState, robot: Robot, command: commands.Command) -
                 vertex=vertex,
                 missing=", ".join(missing),
             )
-            yield Problem("unknown vertex", f"{robot.name}: {waits}", blocks=False)
+            yield Problem(
+                "unknown vertex", Message("{name}: {waits}", name=robot.name, waits=waits), blocks=False
+            )
         else:
             known = [id_ for graph in _graphs(robot).values() for id_ in graph.vertices]
             text = Message(
                 "{name} has no vertex {vertex}{did_you_mean}",
                 name=robot.name,
                 vertex=vertex,
-                did_you_mean=Message(did_you_mean(vertex, known)),
+                did_you_mean=did_you_mean(vertex, known),
             )
             yield Problem("unknown vertex", text)
 

@@ -5,13 +5,13 @@ from fleet_tui.model.kind import DRIVE
 from fleet_tui.model.link import Phase
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.set_up.checks import busy
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message
 
 POSE_WITHIN = 1.0
 """Seconds that a pose may be old."""
 
 
-def drive_refusal(state: FleetState, robot: Robot) -> str:
+def drive_refusal(state: FleetState, robot: Robot) -> Message:
     """Return the reason not to drive a robot by hand, empty if it may be driven. Mapping is none: a map is
     made by driving."""
     if not robot.kind.can(DRIVE):
@@ -25,4 +25,4 @@ def drive_refusal(state: FleetState, robot: Robot) -> str:
             name=robot.name,
             POSE_WITHIN=f"{POSE_WITHIN:g}",
         )
-    return next((problem.text for problem in busy(state, robot)), "")
+    return next((problem.text for problem in busy(state, robot)), EMPTY)

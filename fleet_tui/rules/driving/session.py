@@ -16,7 +16,7 @@ LATEST = 0.3
 """Seconds after which an echo is too late to drive on."""
 ZEROS = 3
 """Zeros that end a movement; then nothing is sent."""
-FOREIGN = "someone else drives"
+FOREIGN = Message("someone else drives")
 Frames = list[Speeds]
 
 
@@ -88,7 +88,7 @@ class DriveSession:
         self.state = self.state._replace(phase=DrivePhase.READY, round_trip=echoes.round_trip)
         return []
 
-    def end(self, reason: str) -> Frames:
+    def end(self, reason: Message) -> Frames:
         """End with zeros; the first reason counts."""
         if self.state.phase is DrivePhase.ENDED:
             return []

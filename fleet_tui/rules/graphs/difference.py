@@ -40,7 +40,7 @@ def _of_vertex(before: DocumentFloor, after: DocumentFloor, id_: str) -> list[Gr
     if old is None or new is None:
         one = new or old
         kind = "removed" if new is None else "added"
-        return [GraphChange(kind, f"vertex {named(one) if one else id_}", id_)]
+        return [GraphChange(kind, Message("vertex {named}", named=named(one) if one else id_), id_)]
     found = []
     metres = math.dist((old.x, old.y), (new.x, new.y))
     both_nowhere = not math.isfinite(metres) and str((old.x, old.y)) == str((new.x, new.y))
@@ -54,18 +54,23 @@ def _of_vertex(before: DocumentFloor, after: DocumentFloor, id_: str) -> list[Gr
         text: str = Message(
             "vertex {id}: {quoted} -> {quoted2}",
             id=id_,
-            quoted=Message(_quoted(old.label)),
-            quoted2=Message(_quoted(new.label)),
+            quoted=_quoted(old.label),
+            quoted2=_quoted(new.label),
         )
         found.append(GraphChange("relabelled", text, id_))
     if old.type != new.type:
-        text = f"vertex {named(new)}: {old.type or 'plain'} -> {new.type or 'plain'}"
+        text = Message(
+            "vertex {named}: {value} -> {value2}",
+            named=named(new),
+            value=old.type or "plain",
+            value2=new.type or "plain",
+        )
         found.append(GraphChange("retyped", text, id_))
     return found
 
 
-def _quoted(label: str) -> str:
-    return f'"{sanitize(label)}"' if label else "no label"
+def _quoted(label: str) -> Message:
+    return Message('"{label}"', label=sanitize(label)) if label else Message("no label")
 
 
 _Way = tuple[str, str, bool]
@@ -80,11 +85,7 @@ def _of_edge(old: _Way | None, new: _Way | None, id_: str) -> list[GraphChange]:
     if old is None or new is None:
         kind, way = ("removed", old) if new is None else ("added", new)
         return (
-            [
-                GraphChange(
-                    kind, Message("edge {id} {way_text}", id=id_, way_text=Message(_way_text(way))), "", id_
-                )
-            ]
+            [GraphChange(kind, Message("edge {id} {way_text}", id=id_, way_text=_way_text(way)), "", id_)]
             if way
             else []
         )
@@ -96,8 +97,8 @@ def _of_edge(old: _Way | None, new: _Way | None, id_: str) -> list[GraphChange]:
             Message(
                 "edge {id}: {way_text} -> {way_text2}",
                 id=id_,
-                way_text=Message(_way_text(old)),
-                way_text2=Message(_way_text(new)),
+                way_text=_way_text(old),
+                way_text2=_way_text(new),
             ),
             "",
             id_,
@@ -110,5 +111,5 @@ def _unordered(way: _Way) -> tuple[object, bool]:
     return (frozenset(way[:2]) if way[2] else way[:2]), way[2]
 
 
-def _way_text(way: _Way) -> str:
-    return f"{way[0]} {'<>' if way[2] else '>'} {way[1]}"
+def _way_text(way: _Way) -> Message:
+    return Message("{way} {value} {way2}", way=way[0], value="<>" if way[2] else ">", way2=way[1])

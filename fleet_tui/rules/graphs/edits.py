@@ -32,9 +32,9 @@ def edge_removed(edge: DocumentEdge) -> Change:
     return Change(Message("remove edge {id}", id=edge.id), edges=((edge, None),))
 
 
-def edge_renewed(before: DocumentEdge, after: DocumentEdge, what: str) -> Change:
+def edge_renewed(before: DocumentEdge, after: DocumentEdge, what: Message) -> Change:
     """Change a value of an edge; `what` says which."""
-    return Change(Message("edge {id}: {what}", id=before.id, what=Message(what)), edges=((before, after),))
+    return Change(Message("edge {id}: {what}", id=before.id, what=what), edges=((before, after),))
 
 
 def connected(id_: str, reverse_id: str, start: str, end: str) -> Change:
@@ -63,7 +63,11 @@ def turned(edge: DocumentEdge) -> Change:
         after = _swapped(edge)
     else:
         after = replace(_swapped(edge), two_way=True)
-    ways = "both ways" if after.two_way else f"{after.start} -> {after.end}"
+    ways = (
+        Message("both ways")
+        if after.two_way
+        else Message("{start} -> {end}", start=after.start, end=after.end)
+    )
     return edge_renewed(edge, after, ways)
 
 

@@ -16,7 +16,7 @@ LONGEST_LABEL = 32
 """Terminal cells."""
 MOVED = 0.5
 """Metres by which a vertex that an order names may be moved."""
-READ_AS_0 = "robots read a missing id as 0, that is as this vertex"
+READ_AS_0 = Message("robots read a missing id as 0, that is as this vertex")
 _WITH_ZERO = (None, GraphFormat.NATIVE, GraphFormat.OH, GraphFormat.GEOJSON)
 
 ElementRule = Callable[[DocumentFloor, LintInputs], Iterator[GraphFinding]]
@@ -27,15 +27,15 @@ def named(vertex: DocumentVertex) -> str:
     return f"{vertex.id} ({vertex.label})" if vertex.label.strip() else vertex.id
 
 
-def _error(rule: str, text: str, vertex: str = "", edge: str = "") -> GraphFinding:
+def _error(rule: str, text: Message, vertex: str = "", edge: str = "") -> GraphFinding:
     return _finding(rule, text, True, vertex, edge)
 
 
-def _warning(rule: str, text: str, vertex: str = "", edge: str = "") -> GraphFinding:
+def _warning(rule: str, text: Message, vertex: str = "", edge: str = "") -> GraphFinding:
     return _finding(rule, text, False, vertex, edge)
 
 
-def _finding(rule: str, text: str, is_error: bool, vertex: str, edge: str) -> GraphFinding:
+def _finding(rule: str, text: Message, is_error: bool, vertex: str, edge: str) -> GraphFinding:
     vertices, edges = (tuple(filter(None, [one])) for one in (vertex, edge))
     return GraphFinding(rule, text, is_error, "", vertices, edges)
 
@@ -189,9 +189,7 @@ def types(floor: DocumentFloor, inputs: LintInputs) -> Iterator[GraphFinding]:
     if "0" in floor.vertices and inputs.target in _WITH_ZERO:
         yield _warning(
             "id 0",
-            Message(
-                "vertex {named}: {READ_AS_0}", named=named(floor.vertices["0"]), READ_AS_0=Message(READ_AS_0)
-            ),
+            Message("vertex {named}: {READ_AS_0}", named=named(floor.vertices["0"]), READ_AS_0=READ_AS_0),
             "0",
         )
     if inputs.types is None:

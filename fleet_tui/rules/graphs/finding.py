@@ -18,7 +18,7 @@ class GraphFinding(Struct, frozen=True):
     """One finding. Errors stop sending and writing, warnings ask. vertices, edges: the ids concerned."""
 
     rule: str
-    text: str
+    text: Message
     is_error: bool
     floor: str = ""
     vertices: tuple[str, ...] = ()

@@ -99,7 +99,7 @@ def _unreachable(floor: DocumentFloor, inputs: LintInputs) -> list[GraphFinding]
             Message(
                 "vertex {named}: {reason}",
                 named=named(floor.vertices[id_]),
-                reason=Message(_reason(id_, found.traps)),
+                reason=_reason(id_, found.traps),
             ),
             False,
             "",
@@ -109,12 +109,16 @@ def _unreachable(floor: DocumentFloor, inputs: LintInputs) -> list[GraphFinding]
     ]
 
 
-def _reason(id_: str, traps: tuple[str, ...]) -> str:
-    return "a trap, no way back to the others" if id_ in traps else "not reachable from the others"
+def _reason(id_: str, traps: tuple[str, ...]) -> Message:
+    return (
+        Message("a trap, no way back to the others")
+        if id_ in traps
+        else Message("not reachable from the others")
+    )
 
 
 def _docking(floors: Iterable[DocumentFloor], inputs: LintInputs) -> list[GraphFinding]:
     types = {vertex.type for floor in floors for vertex in floor.vertices.values()}
     if not types or any(inputs.roles(type_) is Role.DOCKING for type_ in types):
         return []
-    return [GraphFinding("docking", "no docking vertex", False)]
+    return [GraphFinding("docking", Message("no docking vertex"), False)]

@@ -74,9 +74,9 @@ def _stops(document: GraphDocument, lift: Lift) -> Iterator[tuple[str, str, tupl
 
 def _nav2(floor: DocumentFloor) -> Iterator[GraphFinding]:
     if not floor.vertices or not floor.edges:
-        what = "edge" if floor.vertices else "vertex"
+        what = Message("edge") if floor.vertices else Message("vertex")
         yield GraphFinding(
-            "empty", Message("no {what}: Nav2 loads no such graph", what=Message(what)), True, floor.name
+            "empty", Message("no {what}: Nav2 loads no such graph", what=what), True, floor.name
         )
     for kind, ids in (("vertex", floor.vertices), ("edge", floor.edges)):
         for id_ in ids:

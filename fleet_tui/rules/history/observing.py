@@ -22,6 +22,7 @@ from fleet_tui.rules.commands.order_ends import (
 )
 from fleet_tui.rules.history.activity import activity, may_do_anything
 from fleet_tui.rules.why.reason import name_of
+from fleet_tui.text.language import Message
 
 HOUR = 3600.0
 """Seconds at whose multiples spans are cut, so that a few hours of them are found quickly."""
@@ -54,7 +55,7 @@ class Observer:
         """The goal that told of an order of another console, by robot and first goal, which may have ended
         before it was known whose it was."""
         self._links: dict[str, bool] = {}
-        self._causes: dict[Key, str] = {}
+        self._causes: dict[Key, Message] = {}
         self._ends: dict[str, dict[_Gone, Stage]] = {}
         """The ends of the orders that left each robot's queue, as told: one may be corrected."""
 

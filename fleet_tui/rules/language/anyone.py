@@ -8,6 +8,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.rules.language.grammar import place_words
 from fleet_tui.rules.language.lookup import Place, matches
 from fleet_tui.rules.language.words import said, tokens
+from fleet_tui.text.language import Message
 
 ANYONE = "anyone"
 
@@ -69,7 +70,9 @@ def parse_anyone(line: str, state: FleetState) -> list[Place] | None:
         return None
     words = place_words(line, found[1:])
     if len(words) < 2 or not all(words):
-        raise CommandError(f"usage: {ANYONE} FROM TO, or {ANYONE} FROM > TO")
+        raise CommandError(
+            Message("usage: {anyone} FROM TO, or {anyone2} FROM > TO", anyone=ANYONE, anyone2=ANYONE)
+        )
     return [_place(state, word) for word in words]
 
 
@@ -81,8 +84,10 @@ def _place(state: FleetState, word: str) -> Place:
     meant = meant or [place for place in found if place.vertex == word]
     if not meant:
         near = did_you_mean(word, [place.name for place in any_matches(state, "")])
-        raise CommandError(f"no robot has a place {said(word)}{near}")
+        raise CommandError(Message("no robot has a place {said}{near}", said=said(word), near=near))
     if len(meant) > 1:
         where = " and ".join(place.floor for place in meant)
-        raise CommandError(f"{said(word)} is ambiguous: it is on {where}; name the robot")
+        raise CommandError(
+            Message("{said} is ambiguous: it is on {where}; name the robot", said=said(word), where=where)
+        )
     return meant[0]

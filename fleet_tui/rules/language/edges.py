@@ -5,6 +5,7 @@ from fleet_tui.model.desk.desk import Ends, ends_of
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.language.words import said
+from fleet_tui.text.language import Message
 from fleet_tui.text.limits import some
 
 
@@ -12,12 +13,21 @@ def edge_named(robot: Robot, floor: str, start: str, end: str) -> Ends:
     """Return the edge between two labels or ids of a floor. Raises CommandError."""
     robot_map = robot.maps.get(floor)
     if robot_map is None or robot_map.graph is None:
-        raise CommandError(f"{robot.name} has no graph of {floor}")
+        raise CommandError(Message("{name} has no graph of {floor}", name=robot.name, floor=floor))
     one, other = (_vertex(robot, floor, robot_map.graph, word) for word in (start, end))
     joined = {_other(edge.start, edge.end, one) for edge in robot_map.graph.edges} - {""}
     if other not in joined:
         names = sorted(robot_map.labels.get(vertex, vertex) for vertex in joined)
-        raise CommandError(f"no edge {start} - {end} on {floor}: {start} is joined with {some(names)}")
+        raise CommandError(
+            Message(
+                "no edge {start} - {end} on {floor}: {start2} is joined with {some}",
+                start=start,
+                end=end,
+                floor=floor,
+                start2=start,
+                some=some(names),
+            )
+        )
     return ends_of(floor, one, other)
 
 
@@ -36,8 +46,21 @@ def _vertex(robot: Robot, floor: str, graph: RouteGraph, word: str) -> str:
     if id_ in graph.vertices:
         return id_
     if found:
-        raise CommandError(f"{said(word)} is ambiguous: use {' or '.join(f'id={one}' for one in found)}")
-    raise CommandError(f"no place {said(word)} on {floor}{did_you_mean(word, labels.values())}")
+        raise CommandError(
+            Message(
+                "{said} is ambiguous: use {value}",
+                said=said(word),
+                value=" or ".join(f"id={one}" for one in found),
+            )
+        )
+    raise CommandError(
+        Message(
+            "no place {said} on {floor}{did_you_mean}",
+            said=said(word),
+            floor=floor,
+            did_you_mean=did_you_mean(word, labels.values()),
+        )
+    )
 
 
 def edge_text(robot: Robot, ends: Ends, between: str = " - ") -> str:

@@ -32,7 +32,7 @@ class Favourite(Struct, frozen=True):
 
     start: Place
     end: Place
-    reason: str
+    reason: Message
 
 
 def given_here(state: FleetState) -> Iterator[Given]:
@@ -58,7 +58,7 @@ def favourites(places: Iterable[Place], given: Sequence[Given]) -> list[Favourit
     counted = Counter(routes)
     # Equally frequent ones stay in their sequence, the newest first.
     often = (ends for ends, times in counted.most_common() if times >= OFTEN and ends != routes[0])
-    found = [Favourite(*ends, "last") for ends in routes[:1]]
+    found = [Favourite(*ends, Message("last")) for ends in routes[:1]]
     return [
         *found,
         *(Favourite(*ends, Message("{counted} times", counted=counted[ends])) for ends in often),

@@ -29,6 +29,7 @@ from fleet_tui.rules.commands.local_queue import all_orders
 from fleet_tui.rules.language import set_up
 from fleet_tui.rules.language.lookup import NUMBER, plain_id
 from fleet_tui.rules.language.words import Token, find_robot, quoted, said, tokens, vertex_of, word_of
+from fleet_tui.text.language import Message
 
 USAGE = {
     "order": "order ROBOT FROM TO, or ROBOT FROM > TO",
@@ -73,7 +74,7 @@ def place_words(line: str, found: list[Token]) -> list[str]:
 def parse_words(words: Sequence[str], state: FleetState, selected: str = "") -> Request:
     """Return the request of separate words, as a shell passes them."""
     if not words:
-        raise CommandError("missing command: " + "; ".join(USAGE.values()))
+        raise CommandError(Message("missing command: {usage}", usage="; ".join(USAGE.values())))
     verb, *rest = words[0].casefold(), *words[1:]
     match verb, rest:
         case "order", [name, *named] if named:
@@ -91,9 +92,9 @@ def parse_words(words: Sequence[str], state: FleetState, selected: str = "") -> 
             if request := set_up.parse_set_up(verb, find_robot(name, state), values):
                 return request
     if verb in USAGE:
-        raise CommandError(f"usage: {USAGE[verb]}")
+        raise CommandError(Message("usage: {usage}", usage=USAGE[verb]))
     name = find_robot(words[0], state, [*state.robots, *USAGE]).name
-    raise CommandError(f"usage: {name} FROM > TO, or {name} > TO")
+    raise CommandError(Message("usage: {name} FROM > TO, or {name2} > TO", name=name, name2=name))
 
 
 def _cancel(state: FleetState, robot: Robot, word: str) -> Request:
@@ -114,7 +115,7 @@ def _order_id(state: FleetState, robot: Robot, word: str) -> str:
     if any(order.id == word for order in all_orders(state, robot)):
         return word
     if not NUMBER.fullmatch(word):
-        raise CommandError(f"{said(word)} is not an order id: copy it from the queue")
+        raise CommandError(Message("{said} is not an order id: copy it from the queue", said=said(word)))
     return plain_id(word)
 
 
@@ -131,14 +132,14 @@ def _route(line: str, found: list[Token], state: FleetState) -> Request:
     if found[0].text.casefold() == "order" and not found[0].separates:
         found = found[1:]
     if not found or found[0].separates:
-        raise CommandError(f"missing robot before >: {USAGE['order']}")
+        raise CommandError(Message("missing robot before >: {usage}", usage=USAGE["order"]))
     robot = find_robot(found[0].text, state)
     legs = place_words(line, found[1:])
     only_to = not legs[0]
     if only_to:
         legs = legs[1:]
     if not all(legs):
-        raise CommandError(f"missing place beside >: {USAGE['order']}")
+        raise CommandError(Message("missing place beside >: {usage}", usage=USAGE["order"]))
     return _order(robot, legs, only_to)
 
 

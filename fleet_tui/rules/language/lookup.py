@@ -11,7 +11,7 @@ from fleet_tui.model.kind import ORDER, ORDER_TO
 from fleet_tui.model.order import vertices_of
 from fleet_tui.model.request import Request, chain
 from fleet_tui.model.robot import Robot
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message
 
 NUMBER = re.compile(r"-?[0-9]{1,10}", re.ASCII)
 
@@ -46,8 +46,8 @@ def no_graphs(robot: Robot) -> str:
     if not missing or (robot.floor in robot.maps and robot.floor not in missing):
         return ""
     publishes = "graph" in robot.kind.reports or not robot.kind.name
-    remedy = "" if publishes else ": set [[floors]] graph = FILE in the configuration"
-    return Message(": no graph of {missing}{remedy}", missing=", ".join(missing), remedy=Message(remedy))
+    remedy = EMPTY if publishes else Message(": set [[floors]] graph = FILE in the configuration")
+    return Message(": no graph of {missing}{remedy}", missing=", ".join(missing), remedy=remedy)
 
 
 def recent_ends(state: FleetState, robot: Robot) -> list[str]:

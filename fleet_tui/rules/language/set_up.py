@@ -37,6 +37,7 @@ from fleet_tui.model.set_up.commands import (
     StorePoseGraph,
 )
 from fleet_tui.rules.language.words import quoted, vertex_of
+from fleet_tui.text.language import Message
 
 USAGE = {
     "goto": "goto ROBOT PLACE, or goto ROBOT X Y [YAW]",
@@ -97,13 +98,19 @@ def floor_of(robot: Robot) -> str:
         return robot.floor
     if len(robot.maps) == 1:
         return next(iter(robot.maps))
-    raise CommandError(f"the floor of {robot.name} is unknown: it has {', '.join(robot.maps)}")
+    raise CommandError(
+        Message("the floor of {name} is unknown: it has {maps}", name=robot.name, maps=", ".join(robot.maps))
+    )
 
 
 def _pose(values: Sequence[str]) -> Pose:
     for value in values:
         if not _NUMBER.fullmatch(value):
-            raise CommandError(f"{value[:40]!r} is not a number: metres, and degrees counter-clockwise")
+            raise CommandError(
+                Message(
+                    "{value} is not a number: metres, and degrees counter-clockwise", value=f"{value[:40]!r}"
+                )
+            )
     x, y, degrees = (*map(float, values), 0.0)[:3]
     return Pose(x, y, math.remainder(math.radians(degrees), math.tau))
 
@@ -120,7 +127,7 @@ def _to_place(robot: Robot, place: str) -> Request:
     floor = floor or floor_of(robot)
     graph = robot.maps[floor].graph
     if graph is None or vertex not in graph.vertices:
-        raise CommandError(f"the position of {place} on {floor} is unknown")
+        raise CommandError(Message("the position of {place} on {floor} is unknown", place=place, floor=floor))
     x, y = graph.vertices[vertex].x, graph.vertices[vertex].y
     here = robot.pose.value if robot.pose else Pose(x, y)
     yaw = math.atan2(y - here.y, x - here.x) if math.dist((x, y), (here.x, here.y)) > 0.1 else here.yaw

@@ -11,6 +11,7 @@ from fleet_tui.model.order import natural
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.language.lookup import NUMBER, called, no_graphs, places, plain_id
 from fleet_tui.rules.marks import typed_number
+from fleet_tui.text.language import Message
 
 # A `-` belongs to the `>` after it only if it is separate: labels may end with one.
 _TOKEN = re.compile(
@@ -45,7 +46,14 @@ def find_robot(word: str, state: FleetState, known: Iterable[str] = ()) -> Robot
     if (numbered := typed_number(word, state)) is not None:
         return numbered
     near = did_you_mean(word, known or state.robots)
-    raise CommandError(f"unknown robot{' or command' if known else ''} {said(word)}{near}")
+    raise CommandError(
+        Message(
+            "unknown robot{value} {said}{near}",
+            value=Message(" or command") if known else "",
+            said=said(word),
+            near=near,
+        )
+    )
 
 
 def said(word: str) -> str:
@@ -75,10 +83,14 @@ def vertex_of(robot: Robot, word: str) -> tuple[str, str]:
         found.setdefault(id_, next(iter(found.values())))
     if not found:
         near = did_you_mean(word, [place.name for place in places(robot)]) or no_graphs(robot)
-        raise CommandError(f"{robot.name} has no place {said(word)}{near}")
+        raise CommandError(
+            Message("{name} has no place {said}{near}", name=robot.name, said=said(word), near=near)
+        )
     if len(found) > 1:
         ids = " or ".join(id_word(vertex) for vertex in sorted(found, key=natural))
-        raise CommandError(f"{said(word)} is ambiguous for {robot.name}: use {ids}")
+        raise CommandError(
+            Message("{said} is ambiguous for {name}: use {ids}", said=said(word), name=robot.name, ids=ids)
+        )
     ((vertex, place),) = found.items()
     return vertex, place.floor
 

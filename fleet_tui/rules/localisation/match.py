@@ -34,7 +34,7 @@ class Match(Struct, frozen=True):
         return self.beams >= FEWEST and self.share < POOR
 
     @property
-    def text(self) -> str:
+    def text(self) -> Message:
         """Return the match in words."""
         return Message(
             "{percent} of {beams} beams fit the map, median {median} m",

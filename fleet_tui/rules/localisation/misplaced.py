@@ -11,7 +11,7 @@ from fleet_tui.model.grid import FREE, OCCUPIED, OccupancyGrid
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.commands.set_up.mode import mapping_text
 from fleet_tui.rules.localisation.off_route import is_off_route
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.text.units import age
 
 SIZE = 1.0, 1.0
@@ -107,16 +107,16 @@ def is_misplaced(robot: Robot) -> bool:
     return seen is not None and pose is not None and pose.at - seen.at < NOW
 
 
-def misplaced_text(state: FleetState, robot: Robot) -> str:
+def misplaced_text(state: FleetState, robot: Robot) -> Message:
     """Return why the last pose of a robot is no place on its floor, or one a short while ago was none; empty
     otherwise, and once its localisation has found it elsewhere."""
     seen = robot.misplaced
     if seen is None or _is_found(robot, seen):
-        return ""
+        return EMPTY
     if is_misplaced(robot):
-        return seen.value
+        return Message(seen.value)
     if state.now - seen.at >= HELD:
-        return ""
+        return EMPTY
     if seen.value == OFF_ROUTE:
         return Message("off the route graph {age} ago", age=age(state.now - seen.at))
     return (
@@ -131,23 +131,23 @@ def _text(state: FleetState, robot: Robot, live: LiveMaps) -> str:
     makes a map is beyond it."""
     ground = _ground(state, robot, live) if robot.pose is not None else None
     if robot.pose is None or ground is None:
-        return ""
+        return EMPTY
     (grid, frame), pose = ground, robot.pose.value
     column, row = frame.to_pixel(pose.x, pose.y)
     if not (abs(column) < 1e9 and abs(row) < 1e9):
-        return ""  # no number at all: told as bad data
+        return EMPTY  # no number at all: told as bad data
     here = FREE
     is_on = 0.0 <= column < frame.width and 0.0 <= row < frame.height
     if is_on:
         here = int(grid.levels[0][int(row), int(column)])
         if here == FREE:  # nearly always: this is asked of every robot in every tick
-            return ""
+            return EMPTY
     if here == OCCUPIED:
-        return "" if _is_free(grid, frame, column, row, BESIDE) else WALL
+        return EMPTY if _is_free(grid, frame, column, row, BESIDE) else WALL
     reach = max(robot.size or SIZE)
     away = max(-column, column - frame.width, -row, row - frame.height) * frame.resolution
     is_off = away > reach or not _is_free(grid, frame, column, row, reach)
-    return "pose off the map" if is_off and not mapping_text(robot) else ""
+    return Message("pose off the map") if is_off and not mapping_text(robot) else ""
 
 
 def _is_free(grid: OccupancyGrid, frame: MapFrame, column: float, row: float, reach: float) -> bool:

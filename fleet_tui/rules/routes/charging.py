@@ -13,7 +13,7 @@ from fleet_tui.model.robot import Robot, RobotMap
 from fleet_tui.model.set_up.commands import StartCharging
 from fleet_tui.rules.battery.charging import charger_of, charging_reported
 from fleet_tui.rules.language.lookup import Place
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message
 
 
 def way_to_charger(state: FleetState, robot: Robot) -> tuple[Place, ...]:
@@ -46,32 +46,32 @@ def _charge(robot: Robot) -> tuple[StartCharging, ...]:
     return (StartCharging(robot.name),) if is_beside else ()
 
 
-def _doubt(robot: Robot) -> str:
+def _doubt(robot: Robot) -> Message:
     """Return that a vehicle is not told to charge once it is there, empty if it is, or others do it."""
     if robot.vehicle is None:
-        return ""
+        return EMPTY
     if robot.features is None:
         return Message(
             "{name} only drives there: without a factsheet nothing starts its charge", name=robot.name
         )
     if robot.features.charges or robot.features.charges_beside:
-        return ""
+        return EMPTY
     return Message("{name} only drives there: its factsheet has no startCharging", name=robot.name)
 
 
 def _way(state: FleetState, robot: Robot) -> tuple[Place, Place]:
     """Return where the way to a charger begins and ends. Raises CommandError if there is none."""
     if robot.pose is None or robot.floor is None:
-        raise CommandError(f"the place of {robot.name} is not known")
+        raise CommandError(Message("the place of {name} is not known", name=robot.name))
     here, pose = robot.maps.get(robot.floor, RobotMap()), robot.pose.value
     if here.graph is None or not here.graph.chargers:
-        raise CommandError(f"no graph shows a charger on {robot.floor}")
+        raise CommandError(Message("no graph shows a charger on {floor}", floor=robot.floor))
 
     others = [one for one in state.robots.values() if one.name != robot.name and one.floor == robot.floor]
     taken = {charger.id for one in others if (charger := charger_of(state, one)) is not None}
     free = [one for one in here.graph.chargers if one.id not in taken]
     if not free:
-        raise CommandError(f"other robots are at all chargers of {robot.floor}")
+        raise CommandError(Message("other robots are at all chargers of {floor}", floor=robot.floor))
 
     def metres(vertex: Vertex) -> float:
         return math.dist((vertex.x, vertex.y), (pose.x, pose.y))
@@ -80,9 +80,9 @@ def _way(state: FleetState, robot: Robot) -> tuple[Place, Place]:
     ways = {one.id: _metres(here.graph, start, one, metres(one)) for one in free}
     nearest = min(ways, key=lambda id_: ways[id_])
     if nearest == start.id:
-        raise CommandError(f"{robot.name} is at a charger")
+        raise CommandError(Message("{name} is at a charger", name=robot.name))
     if not math.isfinite(ways[nearest]):
-        raise CommandError(f"no way on the graph leads {robot.name} to a charger")
+        raise CommandError(Message("no way on the graph leads {name} to a charger", name=robot.name))
     begin, end = (Place(id_, here.name_of(id_) or id_, robot.floor) for id_ in (start.id, nearest))
     return begin, end
 

@@ -40,15 +40,15 @@ class CutOrder(Struct, frozen=True):
         return math.inf if self.around is None else self.around - self.metres
 
     @property
-    def text(self) -> str:
+    def text(self) -> Message:
         """Return the length of the detour in words."""
         if self.around is None:
-            return "no way"
+            return Message("no way")
         more = round(self.further)
         return (
             Message("detour +{more} m ({around} m)", more=more, around=f"{self.around:.0f}")
             if more > 0
-            else "another way, as long"
+            else Message("another way, as long")
         )
 
 

@@ -17,7 +17,7 @@ from fleet_tui.rules.commands.set_up.mode import mapping_text
 from fleet_tui.rules.language.anyone import own_place
 from fleet_tui.rules.language.lookup import Place
 from fleet_tui.rules.routes.ways import Routes, Spot
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message, joined
 
 BATTERY_MARGIN = 10.0
 """Per cent above the limit of a low battery that a robot needs, so that an order does not end in an alarm."""
@@ -33,15 +33,17 @@ class Nearest(Struct, frozen=True):
     battery: float | None
 
     @property
-    def text(self) -> str:
+    def text(self) -> Message:
         """Return the robot with the reason for it."""
-        charge = "unknown" if self.battery is None else f"{int(self.battery)} %"
+        charge = (
+            Message("unknown") if self.battery is None else Message("{battery} %", battery=int(self.battery))
+        )
         return Message(
             "{robot}: idle, {metres} m from {name}, battery {charge}",
             robot=self.robot,
             metres=f"{self.metres:.0f}",
             name=self.places[0].name,
-            charge=Message(charge),
+            charge=charge,
         )
 
 
@@ -53,34 +55,34 @@ def nearest(state: FleetState, places: Sequence[Place]) -> Nearest | None:
     return min(filter(None, found), key=lambda one: one.metres, default=None)
 
 
-def why_none(state: FleetState, places: Sequence[Place]) -> str:
+def why_none(state: FleetState, places: Sequence[Place]) -> Message:
     """Return why no idle robot can drive an order, in one line."""
     counted = Counter(why_not(state, robot) or "without a way" for robot in state.robots.values())
-    others = ", ".join(f"{count} {reason}" for reason, count in counted.most_common())
+    others = joined(", ", (f"{count} {reason}" for reason, count in counted.most_common()))
     asked = (
         Message("drive {name}", name=" -> ".join(place.name for place in places))
         if places[1:]
         else Message("reach {name}", name=places[0].name)
     )
-    return Message("no idle robot can {asked}: {others}", asked=Message(asked), others=Message(others))
+    return Message("no idle robot can {asked}: {others}", asked=asked, others=others)
 
 
-def why_not(state: FleetState, robot: Robot) -> str:
+def why_not(state: FleetState, robot: Robot) -> Message:
     """Return why a robot can take no order at once, as `busy` or `offline`; empty if it can."""
     if ORDER not in robot.kind.accepts:
-        return "of a kind without orders"
+        return Message("of a kind without orders")
     if not state.is_online(robot):
-        return "offline"
+        return Message("offline")
     if state.is_paused(robot) or (robot.paused is not None and robot.paused.value):
-        return "paused"
+        return Message("paused")
     if _is_busy(state, robot):
-        return "busy"
+        return Message("busy")
     if any(one.holds and robot.name in (one.condition.source, *one.condition.parts) for one in state.alarms):
-        return "in trouble"
+        return Message("in trouble")
     if mapping_text(robot):
-        return "mapping"
+        return Message("mapping")
     if not state.is_fresh(robot, "pose") or robot.floor is None:
-        return "without a pose"
+        return Message("without a pose")
     return _why_not_ready(state, robot)
 
 
@@ -91,17 +93,17 @@ def _is_busy(state: FleetState, robot: Robot) -> bool:
     return given or any(not order.is_over for order in all_orders(state, robot))
 
 
-def _why_not_ready(state: FleetState, robot: Robot) -> str:
+def _why_not_ready(state: FleetState, robot: Robot) -> Message:
     if robot.kind.expects("queue") and not state.is_fresh(robot, "queue"):
-        return "without a queue report"
+        return Message("without a queue report")
     if robot.has_cargo:
-        return "with cargo on board"
+        return Message("with cargo on board")
     if not _reports_battery(robot):
-        return ""
+        return EMPTY
     if robot.battery is None or not state.is_fresh(robot, "battery"):
-        return "without a battery report"
+        return Message("without a battery report")
     enough = robot.battery.value >= state.limits.battery_low + BATTERY_MARGIN
-    return "" if enough else "low on battery"
+    return EMPTY if enough else Message("low on battery")
 
 
 def _reports_battery(robot: Robot) -> bool:

@@ -13,7 +13,7 @@ from fleet_tui.model.order import Order
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.language.lookup import Place
 from fleet_tui.rules.routes.ways import Spot, routes_of
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message, counted
 from fleet_tui.text.units import age
 
 SPEED = 0.5
@@ -48,36 +48,40 @@ class DraftRoute(Struct, frozen=True):
     to_start: Mapping[str, tuple[Line, ...]] = {}
 
     @property
-    def text(self) -> str:
+    def text(self) -> Message:
         """Return its length, and a guess of its time."""
         if self.metres is None:
-            return "no way on the graph"
-        lift = ", by lift" if self.by_lift else ""
+            return Message("no way on the graph")
+        lift = Message(", by lift") if self.by_lift else EMPTY
         to_start = (
             Message("{approach} m to the start, then ", approach=f"{self.approach:.0f}")
             if self.approach >= 1.0
-            else ""
+            else EMPTY
         )
-        after = f", plus {self.before} order{'s' * (self.before > 1)} before" if self.before else ""
+        after = (
+            counted(", plus {count} order before", ", plus {count} orders before", self.before)
+            if self.before
+            else EMPTY
+        )
         takes = _rounded_up((self.metres + self.approach) / (self.pace or SPEED))
         if self.pace is None:
             return Message(
                 "{to_start}{metres} m{lift}, about {takes} at an assumed {SPEED} m/s{after}",
-                to_start=Message(to_start),
+                to_start=to_start,
                 metres=f"{self.metres:.0f}",
-                lift=Message(lift),
+                lift=lift,
                 takes=takes,
                 SPEED=SPEED,
-                after=Message(after),
+                after=after,
             )
         return Message(
             "{to_start}{metres} m{lift}, about {takes} at {pace} m/s{after}",
-            to_start=Message(to_start),
+            to_start=to_start,
             metres=f"{self.metres:.0f}",
-            lift=Message(lift),
+            lift=lift,
             takes=takes,
             pace=f"{self.pace:.1f}",
-            after=Message(after),
+            after=after,
         )
 
 

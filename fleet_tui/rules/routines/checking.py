@@ -29,7 +29,7 @@ from fleet_tui.model.routines.blocks import (
 )
 from fleet_tui.rules.commands.route_checks import no_path, same_place, unknown_vertex
 from fleet_tui.rules.language.words import find_robot, vertex_of
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import Message, message_of
 
 FindProgram = Callable[[Sequence[str]], str]
 """Returns the reason that a program can't be run, empty if it can."""
@@ -55,7 +55,7 @@ def check_routine(state: FleetState, routine: Routine, program: FindProgram) -> 
         try:
             robot = find_robot(lane.robot, state)
         except CommandError as problem:
-            found.append(RoutineProblem(lane.line, str(problem)))
+            found.append(RoutineProblem(lane.line, message_of(problem)))
             continue
         if robot.name in seen:
             text = Message(
@@ -104,7 +104,7 @@ class _LaneCheck:
                     yield from self._blocks(otherwise)
                     self._at = self._at if self._at == after else None
 
-    def _texts(self, block: Block) -> Iterator[str]:
+    def _texts(self, block: Block) -> Iterator[Message]:
         match block:
             case GoBlock(place=place):
                 yield from self._order([place], not self._takes_goals())
@@ -116,7 +116,7 @@ class _LaneCheck:
                 yield from self._condition(condition)
             case RunBlock(arguments=arguments):
                 if reason := self._program(arguments):
-                    yield reason
+                    yield Message(reason)
             case RepeatBlock():
                 yield from _rounds(block)
             case _:
@@ -125,19 +125,19 @@ class _LaneCheck:
     def _takes_goals(self) -> bool:
         return kind.ORDER_TO in self._robot.kind.accepts
 
-    def _order(self, places: Sequence[str], has_start: bool) -> Iterator[str]:
+    def _order(self, places: Sequence[str], has_start: bool) -> Iterator[Message]:
         """Check the places of an order, and the way from one to the next."""
         robot = self._robot
         ability = kind.ORDER if has_start else kind.ORDER_TO
         if not robot.kind.can(ability):
-            yield f"{robot.name}: {robot.kind.lack(ability)}"
+            yield Message("{name}: {lack}", name=robot.name, lack=robot.kind.lack(ability))
             return
         vertices = list[str]()
         for place in places:
             try:
                 vertices.append(vertex_of(robot, place)[0])
             except CommandError as problem:
-                yield str(problem)
+                yield message_of(problem)
         if len(vertices) < len(places):
             self._at = None
             return
@@ -149,7 +149,7 @@ class _LaneCheck:
             yield from (problem.text for problem in no_path(self._state, robot, before))
         self._at = vertices[-1]
 
-    def _condition(self, condition: Condition | TimeSpan | DayTime) -> Iterator[str]:
+    def _condition(self, condition: Condition | TimeSpan | DayTime) -> Iterator[Message]:
         robot = self._robot
         match condition:
             case BatteryCondition() if "battery" not in robot.kind.reports:
@@ -162,15 +162,15 @@ class _LaneCheck:
                 try:
                     vertex_of(robot, place)
                 except CommandError as problem:
-                    yield str(problem)
+                    yield message_of(problem)
 
 
-def _rounds(block: RepeatBlock) -> Iterator[str]:
+def _rounds(block: RepeatBlock) -> Iterator[Message]:
     """Check that a repeat does something, and an endless one not without a rest."""
     if not block.body:
-        yield "repeat without an instruction: add one before its end"
+        yield Message("repeat without an instruction: add one before its end")
     elif block.times is None and not any(map(takes_time, block.body)):
-        yield "endless repeat without a wait or an order in each round: add wait 30 s"
+        yield Message("endless repeat without a wait or an order in each round: add wait 30 s")
 
 
 def takes_time(block: Block) -> bool:

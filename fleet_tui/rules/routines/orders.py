@@ -14,7 +14,7 @@ from fleet_tui.model.routines.blocks import CarryBlock, GoBlock
 from fleet_tui.model.routines.lane import OrderEnded, OrderWithheld
 from fleet_tui.rules.language.lookup import starts_here
 from fleet_tui.rules.language.words import vertex_of
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import Message, joined
 
 
 def order_of(robot: Robot, block: GoBlock | CarryBlock) -> Request | None:
@@ -39,7 +39,9 @@ def _start(robot: Robot) -> str:
     robot_map = robot.maps.get(robot.floor or "")
     graph = robot_map.graph if robot_map else None
     if graph is None or not graph.vertices or robot.pose is None:
-        raise CommandError(f"{robot.name} needs a start, and its place on the graph is unknown")
+        raise CommandError(
+            Message("{name} needs a start, and its place on the graph is unknown", name=robot.name)
+        )
     here = robot.pose.value.x, robot.pose.value.y
     return min(graph.vertices.values(), key=lambda one: math.dist((one.x, one.y), here)).id
 
@@ -48,7 +50,11 @@ def outcome_of(record: CommandRecord) -> OrderEnded | None:
     """Return the outcome of an order that this console gave, None while it is open."""
     if not record.is_decided or record.has_open_order:
         return None
-    words = f"{record.stage.value}: {record.detail}" if record.detail else record.stage.value
+    words = (
+        Message("{value}: {detail}", value=Message(record.stage.value), detail=record.detail)
+        if record.detail
+        else Message(record.stage.value)
+    )
     return OrderEnded(record.stage is Stage.DONE, words)
 
 
@@ -57,7 +63,10 @@ def earlier_outcome(robot: Robot, order_id: str) -> OrderEnded | None:
     heard of it."""
     gone = latest(robot.gone, order_id, -math.inf)
     if gone is not None:
-        return OrderEnded(gone.stage is Stage.DONE, f"{gone.stage.value}: {gone.reason}")
+        return OrderEnded(
+            gone.stage is Stage.DONE,
+            Message("{value}: {reason}", value=Message(gone.stage.value), reason=gone.reason),
+        )
     if robot.queue is None or any(one.id == order_id and not one.is_over for one in robot.orders.orders):
         return None
     listed = next((one for one in robot.orders.orders if one.id == order_id), None)
@@ -67,7 +76,7 @@ def earlier_outcome(robot: Robot, order_id: str) -> OrderEnded | None:
             Message(
                 "order {order_id}: {state_text} while no console followed it",
                 order_id=order_id,
-                state_text=Message(listed.state_text),
+                state_text=listed.state_text,
             ),
         )
     return OrderEnded(
@@ -84,6 +93,6 @@ def objection(problems: Sequence[Problem]) -> OrderEnded | OrderWithheld | None:
     a person to decide."""
     if not problems:
         return None
-    text = Message("not sent: {text}", text=Message("; ".join(problem.text for problem in problems)))
+    text = Message("not sent: {text}", text=joined("; ", (problem.text for problem in problems)))
     can_fail = problems[0].blocks and problems[0].check not in _FOR_A_PERSON
     return OrderEnded(False, text) if can_fail else OrderWithheld(text)

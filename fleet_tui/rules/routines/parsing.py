@@ -51,7 +51,7 @@ from fleet_tui.model.routines.blocks import (
     WaitBlock,
 )
 from fleet_tui.rules.language.words import said
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import Message, joined, message_of, verbatim
 from fleet_tui.text.limits import LONGEST_NAME, truncate
 
 USAGE = {
@@ -83,7 +83,7 @@ T = TypeVar("T")
 
 def instruction(line: int, words: Sequence[str]) -> tuple[Leaf, ...]:
     """Return the instructions of a line: one for each leg of a carry. Raises CommandError."""
-    text = truncate(" ".join(words), LONGEST_NAME)
+    text = verbatim(truncate(" ".join(words), LONGEST_NAME))
     match list(words):
         case ["go", place]:
             return (GoBlock(line, text, place),)
@@ -101,7 +101,7 @@ def instruction(line: int, words: Sequence[str]) -> tuple[Leaf, ...]:
             return (RunBlock(line, text, tuple(program), _seconds([number, unit])),)
         case ["run", *program] if program and program[0] != "within":
             return (RunBlock(line, text, tuple(program), RUN_WITHIN),)
-    raise CommandError(f"usage: {USAGE[words[0]]}")
+    raise CommandError(Message("usage: {usage}", usage=USAGE[words[0]]))
 
 
 def condition(words: Sequence[str]) -> Condition:
@@ -113,20 +113,28 @@ def condition(words: Sequence[str]) -> Condition:
             return PlaceCondition(place)
     found = _BATTERY.fullmatch(" ".join(words))
     if found is None:
-        raise CommandError(f"unknown condition {said(' '.join(words))}: {CONDITIONS}")
+        raise CommandError(
+            Message(
+                "unknown condition {said}: {conditions}", said=said(" ".join(words)), conditions=CONDITIONS
+            )
+        )
     if float(found[2]) > 100.0:
-        raise CommandError(f"battery {said(found[2])} is above 100 per cent: use 0 to 100")
+        raise CommandError(Message("battery {said} is above 100 per cent: use 0 to 100", said=said(found[2])))
     return BatteryCondition(found[1] == ">", float(found[2]))
 
 
 def schedule(words: Sequence[str]) -> Schedule:
     """Return the schedule after `every`. Raises CommandError."""
     if len(words) != 2:
-        raise CommandError("usage: every weekday 06:30; day, weekday, or monday to sunday")
+        raise CommandError(Message("usage: every weekday 06:30; day, weekday, or monday to sunday"))
     day = words[0].casefold()
     days = {"day": tuple(range(7)), "weekday": tuple(range(5)), **{name: (n,) for n, name in enumerate(DAYS)}}
     if day not in days:
-        raise CommandError(f"unknown day {said(words[0])}{did_you_mean(day, days)}")
+        raise CommandError(
+            Message(
+                "unknown day {said}{did_you_mean}", said=said(words[0]), did_you_mean=did_you_mean(day, days)
+            )
+        )
     return Schedule(days[day], _day_time(words[1]))
 
 
@@ -137,7 +145,9 @@ def _until(words: Sequence[str]) -> DayTime | Condition:
 def _day_time(word: str) -> DayTime:
     found = _TIME.fullmatch(word)
     if found is None:
-        raise CommandError(f"{said(word)} is not a time: write it as 06:30, from 00:00 to 23:59")
+        raise CommandError(
+            Message("{said} is not a time: write it as 06:30, from 00:00 to 23:59", said=said(word))
+        )
     return DayTime(60 * int(found[1]) + int(found[2]))
 
 
@@ -148,10 +158,14 @@ def _is_duration(text: str) -> bool:
 def _seconds(words: Sequence[str]) -> float:
     found = _DURATION.fullmatch(" ".join(words))
     if found is None:
-        raise CommandError(f"{said(' '.join(words))} is not a duration: write it as 30 s, 5 min or 1 h")
+        raise CommandError(
+            Message("{said} is not a duration: write it as 30 s, 5 min or 1 h", said=said(" ".join(words)))
+        )
     seconds = float(found[1]) * _UNITS[found[2]]
     if seconds > LONGEST_WAIT:
-        raise CommandError(f"{said(' '.join(words))} is over 7 days: use a schedule (every weekday 06:30)")
+        raise CommandError(
+            Message("{said} is over 7 days: use a schedule (every weekday 06:30)", said=said(" ".join(words)))
+        )
     return seconds
 
 
@@ -181,7 +195,7 @@ class _Reader:
         self.lines: deque[tuple[int, list[str]]] = deque()
         self.problems: list[RoutineProblem] = []
 
-    def wrong(self, line: int, text: str) -> None:
+    def wrong(self, line: int, text: Message) -> None:
         """Keep a problem."""
         self.problems.append(RoutineProblem(line, text))
 
@@ -191,7 +205,9 @@ class _Reader:
             try:
                 words = shlex.split(text, comments=True)
             except ValueError:
-                self.wrong(number, "a quotation mark is not closed: close it, or write it as \\' or \\\"")
+                self.wrong(
+                    number, Message("a quotation mark is not closed: close it, or write it as \\' or \\\"")
+                )
                 continue
             if words:
                 yield number, [words[0].casefold(), *words[1:]]
@@ -212,12 +228,12 @@ class _Reader:
                     case _:
                         raise CommandError(_misplaced(words))
             except _TooDeepError as problem:
-                self.wrong(number, str(problem))
+                self.wrong(number, message_of(problem))
                 break
             except CommandError as problem:
-                self.wrong(number, str(problem))
+                self.wrong(number, message_of(problem))
         if not lanes and not self.problems:
-            self.wrong(1, "no lane: begin one with for ROBOT, and close it with end")
+            self.wrong(1, Message("no lane: begin one with for ROBOT, and close it with end"))
         return Routine(
             tuple(lane if lane.on_failure else replace(lane, on_failure=tuple(failure)) for lane in lanes),
             tuple(schedules),
@@ -229,9 +245,13 @@ class _Reader:
             failure = self._closed("on failure", self.lines.popleft()[0], 2)
         self._end("for", number, 2)
         if not robots:
-            raise CommandError("usage: for ROBOT [ROBOT ...]")
+            raise CommandError(Message("usage: for ROBOT [ROBOT ...]"))
         if len(robots) + len(others) > MOST_LANES:
-            raise CommandError(f"over {MOST_LANES} robots: divide the routine into several files")
+            raise CommandError(
+                Message(
+                    "over {most_lanes} robots: divide the routine into several files", most_lanes=MOST_LANES
+                )
+            )
         return [LanePlan(robot, number, tuple(body), tuple(failure)) for robot in robots]
 
     def _closed(self, word: str, number: int, depth: int) -> list[Block]:
@@ -251,14 +271,16 @@ class _Reader:
                 self.lines.popleft()
                 self.wrong(at, _misplaced(words))
             else:
-                self.wrong(at, "put it before on failure, which is the last part of its lane")
+                self.wrong(at, Message("put it before on failure, which is the last part of its lane"))
             self._blocks(depth + 1)
         self.wrong(number, Message("{word} is not closed: add end", word=word))
 
     def _blocks(self, depth: int) -> list[Block]:
         """Read blocks up to the line that ends them."""
         if depth > DEEPEST + 1:
-            raise _TooDeepError(f"over {DEEPEST} blocks within each other: use fewer")
+            raise _TooDeepError(
+                Message("over {deepest} blocks within each other: use fewer", deepest=DEEPEST)
+            )
         found = list[Block]()
         while self.lines and self.lines[0][1] not in (["end"], ["else"], _FAILURE):
             number, words = self.lines.popleft()
@@ -266,7 +288,7 @@ class _Reader:
                 case "repeat":
                     times = self._tried(number, partial(_times, words[1:]))
                     body = tuple(self._closed("repeat", number, depth))
-                    found.append(RepeatBlock(number, " ".join(words), times, body))
+                    found.append(RepeatBlock(number, joined(" ", words), times, body))
                 case "if":
                     found += self._if(number, words, depth)
                 case _:
@@ -282,14 +304,14 @@ class _Reader:
         self._end("if", number, depth)
         if asked is None:
             return []
-        return [IfBlock(number, " ".join(words), asked, tuple(body), tuple(otherwise))]
+        return [IfBlock(number, joined(" ", words), asked, tuple(body), tuple(otherwise))]
 
     def _tried(self, number: int, read: Callable[[], T]) -> T | None:
         """Return what is read, or keep the problem."""
         try:
             return read()
         except CommandError as problem:
-            self.wrong(number, str(problem))
+            self.wrong(number, message_of(problem))
             return None
 
 
@@ -298,7 +320,9 @@ def _times(words: Sequence[str]) -> int | None:
         return None
     count = int(words[0]) if len(words) == 1 and words[0].isascii() and words[0].isdigit() else 0
     if not 1 <= count <= MOST_TIMES:
-        raise CommandError(f"usage: repeat, or repeat N with N from 1 to {MOST_TIMES}")
+        raise CommandError(
+            Message("usage: repeat, or repeat N with N from 1 to {most_times}", most_times=MOST_TIMES)
+        )
     return count
 
 
@@ -308,14 +332,14 @@ def _instruction(number: int, words: Sequence[str]) -> tuple[Block, ...]:
     return instruction(number, words)
 
 
-def _misplaced(words: Sequence[str]) -> str:
+def _misplaced(words: Sequence[str]) -> Message:
     """Return the problem of a line that is known, but not here, or that is unknown."""
     places = {
-        "every": "every: put it at the start of the file",
-        "for": "for inside a block: close that block with end first",
-        "end": "end without a block: remove it",
-        "else": "else without if before it: write else alone in its line, after if",
-        "on": "on failure: put it alone in its line, once, at the end of a lane or of the file",
+        "every": Message("every: put it at the start of the file"),
+        "for": Message("for inside a block: close that block with end first"),
+        "end": Message("end without a block: remove it"),
+        "else": Message("else without if before it: write else alone in its line, after if"),
+        "on": Message("on failure: put it alone in its line, once, at the end of a lane or of the file"),
     }
     if words[0] in places:
         return places[words[0]]
@@ -324,5 +348,5 @@ def _misplaced(words: Sequence[str]) -> str:
     return Message(
         "unknown instruction {said}{did_you_mean}",
         said=said(words[0]),
-        did_you_mean=Message(did_you_mean(words[0], _KEYWORDS)),
+        did_you_mean=did_you_mean(words[0], _KEYWORDS),
     )

@@ -49,7 +49,7 @@ from fleet_tui.model.routines.lane import (
     Ticked,
 )
 from fleet_tui.rules.routines.positions import after, again, block_at, leaf_at
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message
 
 MOST_MOVES = 100
 """Blocks begun or ended by one tick: an endless repeat must not stop the console."""
@@ -83,7 +83,7 @@ def _begin(plan: LanePlan, lane: Lane, facts: LaneFacts) -> Stepped:
         match block:
             case None if len(lane.path) == 1:
                 ended = LanePhase.FAILED if lane.has_failed else LanePhase.DONE
-                note = LaneNote(ended.value, detail=lane.detail)
+                note = LaneNote(Message(ended.value), detail=lane.detail)
                 return replace(lane, phase=ended), [*actions, note]
             case None:
                 lane, notes = _next_round(plan, lane)
@@ -93,7 +93,7 @@ def _begin(plan: LanePlan, lane: Lane, facts: LaneFacts) -> Stepped:
                 lane = replace(lane, path=(*lane.path, Position()))
             case IfBlock():
                 if (holds := facts.holds(block.condition)) is None:
-                    failed, more = _fail(plan, lane, Message("{text}: unknown", text=Message(block.text)))
+                    failed, more = _fail(plan, lane, Message("{text}: unknown", text=block.text))
                     return failed, actions + more
                 actions.append(LaneNote(BEGUN, block.line, block.text))
                 lane = replace(lane, path=(*lane.path, Position(Part.BODY if holds else Part.ELSE)))
@@ -118,7 +118,7 @@ def _next_round(plan: LanePlan, lane: Lane) -> tuple[Lane, list[LaneNote]]:
 def _begin_leaf(
     lane: Lane, block: GoBlock | CarryBlock | WaitBlock | RunBlock, facts: LaneFacts
 ) -> tuple[Lane, list[LaneAction]]:
-    lane = replace(lane, detail=lane.detail if lane.has_failed else "", order_id="")
+    lane = replace(lane, detail=lane.detail if lane.has_failed else EMPTY, order_id="")
     match block:
         case WaitBlock(until=TimeSpan(seconds)):
             return replace(lane, phase=LanePhase.WAITING, until=facts.wall + seconds), []
@@ -172,11 +172,11 @@ def _withheld(plan: LanePlan, lane: Lane, event: OrderWithheld) -> Stepped:
     return held, [left, *actions]
 
 
-def _hold(lane: Lane, reason: str) -> Stepped:
-    return replace(lane, gate=Gate.HELD, detail=reason), [LaneNote(Gate.HELD.value, detail=reason)]
+def _hold(lane: Lane, reason: Message) -> Stepped:
+    return replace(lane, gate=Gate.HELD, detail=reason), [LaneNote(Message(Gate.HELD.value), detail=reason)]
 
 
-def _left(plan: LanePlan, lane: Lane, detail: str) -> Iterator[LaneNote]:
+def _left(plan: LanePlan, lane: Lane, detail: Message) -> Iterator[LaneNote]:
     """Yield the ends of all open blocks, the innermost first."""
     depth = len(lane.path) - (lane.phase is LanePhase.READY)
     for length in range(depth, 0, -1):
@@ -185,37 +185,37 @@ def _left(plan: LanePlan, lane: Lane, detail: str) -> Iterator[LaneNote]:
         yield LaneNote(LEFT, block.line, block.text, detail)
 
 
-def _fail(plan: LanePlan, lane: Lane, reason: str) -> Stepped:
+def _fail(plan: LanePlan, lane: Lane, reason: Message) -> Stepped:
     """Leave every block, and begin those for a failure, once."""
     actions: list[LaneAction] = [*_left(plan, lane, reason)]
     if lane.has_failed or not plan.on_failure:
         detail = (
-            Message("{detail}; then {reason}", detail=Message(lane.detail), reason=Message(reason))
+            Message("{detail}; then {reason}", detail=lane.detail, reason=reason)
             if lane.has_failed
             else reason
         )
         failed = replace(lane, phase=LanePhase.FAILED, path=lane.path[:1], detail=detail)
-        return failed, [*actions, LaneNote(LanePhase.FAILED.value, detail=detail)]
+        return failed, [*actions, LaneNote(Message(LanePhase.FAILED.value), detail=detail)]
     path = (Position(Part.FAILURE),)
     gate = Gate.PAUSED if lane.gate is Gate.STEP else lane.gate
     failed = replace(lane, phase=LanePhase.READY, path=path, gate=gate, detail=reason)
-    return failed, [*actions, LaneNote(Part.FAILURE.value, detail=reason)]
+    return failed, [*actions, LaneNote(Message(Part.FAILURE.value), detail=reason)]
 
 
 def _pause(plan: LanePlan, lane: Lane, event: LanePaused) -> Stepped:
     if lane.gate in (Gate.PAUSED, Gate.HELD):
         return lane, []
-    return replace(lane, gate=Gate.PAUSED), [LaneNote(Gate.PAUSED.value)]
+    return replace(lane, gate=Gate.PAUSED), [LaneNote(Message(Gate.PAUSED.value))]
 
 
 def _resume(plan: LanePlan, lane: Lane, event: LaneResumed) -> Stepped:
     if lane.gate is Gate.OPEN:
         return lane, []
-    return replace(lane, gate=Gate.OPEN), [LaneNote("resumed")]
+    return replace(lane, gate=Gate.OPEN), [LaneNote(Message("resumed"))]
 
 
 def _step(plan: LanePlan, lane: Lane, event: LaneStepped) -> Stepped:
-    return replace(lane, gate=Gate.STEP), [LaneNote("step")]
+    return replace(lane, gate=Gate.STEP), [LaneNote(Message("step"))]
 
 
 def _skip(plan: LanePlan, lane: Lane, event: LaneSkipped) -> Stepped:
@@ -230,9 +230,9 @@ def _skip(plan: LanePlan, lane: Lane, event: LaneSkipped) -> Stepped:
 def _stop(plan: LanePlan, lane: Lane, event: LaneStopped) -> Stepped:
     """Leave every block. A running order goes on: it is the robot's; a program is ended."""
     runs = lane.phase is LanePhase.PROGRAM
-    actions: list[LaneAction] = [*([EndProgram()] if runs else []), *_left(plan, lane, "stopped")]
+    actions: list[LaneAction] = [*([EndProgram()] if runs else []), *_left(plan, lane, Message("stopped"))]
     stopped = replace(lane, phase=LanePhase.STOPPED, path=lane.path[:1])
-    return stopped, [*actions, LaneNote(LanePhase.STOPPED.value)]
+    return stopped, [*actions, LaneNote(Message(LanePhase.STOPPED.value))]
 
 
 _BUSY = (LanePhase.WAITING, LanePhase.ORDERED, LanePhase.PROGRAM)

@@ -115,7 +115,7 @@ class _Drawing:
         goes_on = (
             self.blocks(
                 block.otherwise,
-                Message("unless {condition}", condition=Message(block.text.removeprefix("if "))),
+                Message("unless {condition}", condition=block.text.removeprefix("if ")),
             )
             and goes_on
         )
@@ -147,7 +147,7 @@ class _Drawing:
         try:
             found = [vertex_of(self._robot, word) for word in words]
         except CommandError:
-            return None, "place unknown"
+            return None, Message("place unknown")
         places = [self._place(vertex, floor) for vertex, floor in found]
         stops = ([self._at] if self._at is not None else []) + places
         draft = Draft(self._robot.name, tuple(stops), starts_here=self._at is None)
@@ -156,7 +156,7 @@ class _Drawing:
             return 0.0, ""
         route = draft_route(self._robot, draft)
         if route is None or route.metres is None:
-            return None, "way unknown"
+            return None, Message("way unknown")
         return route.metres / SPEED, f"{route.metres:.0f} m"
 
     def _place(self, vertex: str, floor: str) -> Place:

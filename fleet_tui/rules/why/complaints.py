@@ -24,7 +24,7 @@ from fleet_tui.rules.alarms.classes import CLASSES
 from fleet_tui.rules.causes import DIAGNOSED_WITHIN, LOGGED_WITHIN
 from fleet_tui.rules.why.orders import LOOK
 from fleet_tui.rules.why.reason import Reason, Strength
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message
 
 SHOWN = 2
 """Complaints that are shown: the worst have the cause, the others mostly follow from it."""
@@ -36,7 +36,7 @@ class Complaint(Struct, frozen=True):
     """A warning or an error of a robot, received at `at` (monotonic seconds) in its `source`; `cause` is the
     same of all that tell of one."""
 
-    text: str
+    text: Message
     source: str
     is_error: bool
     at: float
@@ -48,7 +48,7 @@ class Complaint(Struct, frozen=True):
         strength = Strength.LIKELY if self.is_error else Strength.POSSIBLE
         evidence, remedy = (
             Message("in the robot's own {source}", source=self.source),
-            LOOK if self.is_error and self.source == "diagnostics" else "",
+            LOOK if self.is_error and self.source == "diagnostics" else EMPTY,
         )
         page = "health" if self.source == "diagnostics" else "log"
         keys: tuple[str, ...] = ("diagnostics",)
@@ -80,7 +80,12 @@ def _logged(state: FleetState, lines: Iterable[LogLine], name: re.Pattern[str]) 
         severity = line.severity or Severity.INFO
         is_own = name.search(line.node) and not is_of_bridge(line.node)
         if severity >= Severity.WARN and is_own and not follows(line.text):
-            text = f"{part_of(name, line.node)}: {severity.name} {plain(line.text)}"
+            text = Message(
+                "{part_of}: {name} {plain}",
+                part_of=part_of(name, line.node),
+                name=severity.name,
+                plain=plain(line.text),
+            )
             is_error = severity >= Severity.ERROR
             yield Complaint(text, "log", is_error, _written(state, line), cause_of(line.text))
 
@@ -95,5 +100,10 @@ def _written(state: FleetState, line: LogLine) -> float:
 def _diagnosed(parts: Iterable[PartDiagnosis], name: re.Pattern[str]) -> Iterator[Complaint]:
     for part in parts:
         if part.level in _LEVELS and name.search(f"{part.name} {part.hardware}"):
-            text = f"{part_of(name, part.name)}: {_LEVELS[part.level]} {part.message}"
+            text = Message(
+                "{part_of}: {levels} {message}",
+                part_of=part_of(name, part.name),
+                levels=_LEVELS[part.level],
+                message=part.message,
+            )
             yield Complaint(text, "diagnostics", part.level == Health.ERROR, part.at, cause_of(text))

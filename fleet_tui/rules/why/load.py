@@ -4,7 +4,7 @@ from collections import defaultdict
 
 from fleet_tui.model.counters import LinkCounter
 from fleet_tui.rules.why.reason import Reason, Strength
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import Message, joined
 from fleet_tui.text.units import size_text
 
 NAMED = 3
@@ -22,9 +22,12 @@ def busiest(counter: LinkCounter, now: float) -> Reason | None:
         return None
     sums = {kind: (len(all_), *map(sum, zip(*all_, strict=True))) for kind, all_ in found.items()}
     first = sorted(sums.items(), key=lambda one: -one[1][1])[:NAMED]
-    told = ", ".join(
-        f"{kind} {messages:.0f}/s, {size_text(int(size))}/s in {count} topic{'s' * (count != 1)}"
-        for kind, (count, messages, size) in first
+    told = joined(
+        ", ",
+        (
+            f"{kind} {messages:.0f}/s, {size_text(int(size))}/s in {count} topic{'s' * (count != 1)}"
+            for kind, (count, messages, size) in first
+        ),
     )
-    name = Message("most messages: {kind}", kind=Message(", ".join((kind for kind, _ in first))))
+    name = Message("most messages: {kind}", kind=joined(", ", (kind for kind, _ in first)))
     return Reason(name, told, Strength.LIKELY, keys=("diagnostics",))

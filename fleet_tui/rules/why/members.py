@@ -9,16 +9,20 @@ from fleet_tui.rules.alarms.facilities import SILENT_AFTER
 from fleet_tui.rules.alarms.members import FAILED_MODES, issue_remedy
 from fleet_tui.rules.commands.goals import active
 from fleet_tui.rules.why.reason import LOOK_AT, Reason, Strength
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message, verbatim
 
 
 def failed_mode(state: FleetState, robot: Robot) -> Reason | None:
     """Report a mode in which it can't drive."""
     if robot.member is None or robot.member.value.mode not in FAILED_MODES:
         return None
-    remedy = "Look at the robot and at its fleet adapter"
+    remedy = Message("Look at the robot and at its fleet adapter")
     return Reason(
-        robot.member.value.mode, "reported by its driver", seen=robot.member.at, keys=LOOK_AT, remedy=remedy
+        robot.member.value.mode,
+        Message("reported by its driver"),
+        seen=robot.member.at,
+        keys=LOOK_AT,
+        remedy=remedy,
     )
 
 
@@ -28,8 +32,10 @@ def issues(state: FleetState, robot: Robot) -> Reason | None:
         return None
     first, seen = robot.member.value.issues[0], robot.member.at
     remedy, keys = issue_remedy(state, first) or CLASSES["issue"].action, ("robot_page", "facilities")
-    evidence = "reported by its fleet adapter"
-    return Reason(first, evidence, Strength.LIKELY, seen=seen, keys=(*keys, *LOOK_AT), remedy=remedy)
+    evidence = Message("reported by its fleet adapter")
+    return Reason(
+        verbatim(first), evidence, Strength.LIKELY, seen=seen, keys=(*keys, *LOOK_AT), remedy=remedy
+    )
 
 
 def emergency(state: FleetState, robot: Robot) -> Reason | None:
@@ -37,7 +43,9 @@ def emergency(state: FleetState, robot: Robot) -> Reason | None:
     held = [one for one in active(robot.goals) if one.state is OrderState.PAUSED and not one.tokens]
     if not held:
         return None
-    return Reason("held by an emergency", "its task goes on when that ends", seen=held[0].listed_at)
+    return Reason(
+        Message("held by an emergency"), Message("its task goes on when that ends"), seen=held[0].listed_at
+    )
 
 
 def lift(state: FleetState, robot: Robot) -> Reason | None:
@@ -48,7 +56,7 @@ def lift(state: FleetState, robot: Robot) -> Reason | None:
         return None
     one = own[0]
     strength = Strength.CERTAIN if one.fault else Strength.LIKELY
-    remedy = "Put the lift in service again" if one.fault else ""
+    remedy = Message("Put the lift in service again") if one.fault else EMPTY
     return Reason(
         Message("waits for lift {name}", name=one.name), one.state, strength, seen=one.at, remedy=remedy
     )

@@ -9,7 +9,7 @@ from fleet_tui.rules.why.reason import LOOK_AT, Reason, Strength, mission, reaso
 from fleet_tui.situation.localisation import uncertain
 from fleet_tui.situation.navigation import inactive, silent_navigation
 from fleet_tui.situation.robots import adrift, drives_on
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message, counted
 
 
 def blocked(state: FleetState, robot: Robot) -> Reason | None:
@@ -17,9 +17,9 @@ def blocked(state: FleetState, robot: Robot) -> Reason | None:
     if robot.blocked is None or not robot.blocked.value.action:
         return None
     found, fresh = robot.blocked.value, state.is_fresh(robot, "blocked")
-    zone = Message(" in {polygon}", polygon=found.polygon) if found.polygon else ""
+    zone = Message(" in {polygon}", polygon=found.polygon) if found.polygon else EMPTY
     strength = Strength.CERTAIN if fresh and found.is_stopped else Strength.POSSIBLE
-    cause = Message("collision monitor triggered{zone}", zone=Message(zone))
+    cause = Message("collision monitor triggered{zone}", zone=zone)
     if robot.vehicle is not None:
         cause = Message("{polygon} violated", polygon=found.polygon)
     return Reason(
@@ -68,9 +68,16 @@ def recovering(state: FleetState, robot: Robot) -> Reason | None:
     if robot.progress is None or current is None or not robot.progress.value.recoveries:
         return None
     count = robot.progress.value.recoveries
-    evidence = f"{count} recover{'ies' if count > 1 else 'y'} during {mission(robot, current)}"
+    evidence = counted(
+        "{count} recovery during {mission}",
+        "{count} recoveries during {mission}",
+        count,
+        mission=mission(robot, current),
+    )
     seen, keys = robot.progress.at, (*LOOK_AT, "cancel", "diagnostics")
-    return Reason("recovering", evidence, Strength.LIKELY, seen=seen, keys=keys, remedy=HELD_FAST, page="log")
+    return Reason(
+        Message("recovering"), evidence, Strength.LIKELY, seen=seen, keys=keys, remedy=HELD_FAST, page="log"
+    )
 
 
 def held(state: FleetState, robot: Robot) -> Reason | None:
@@ -78,10 +85,12 @@ def held(state: FleetState, robot: Robot) -> Reason | None:
     kept = sum(1 for _ in orders_to_save(state, robot))
     if not kept or not robot.held:
         return None
-    evidence = f"{kept} order{'s' * (kept > 1)} waiting here: resume to continue"
-    return Reason(
-        Message("held: {held}", held=Message(robot.held)), evidence, Strength.CERTAIN, keys=("resume",)
+    evidence = counted(
+        "{count} order waiting here: resume to continue",
+        "{count} orders waiting here: resume to continue",
+        kept,
     )
+    return Reason(Message("held: {held}", held=robot.held), evidence, Strength.CERTAIN, keys=("resume",))
 
 
 NAVIGATION_REASONS = (blocked, not_active, held, silent, not_sure_where, recovering)

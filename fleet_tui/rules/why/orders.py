@@ -34,13 +34,13 @@ from fleet_tui.situation.links import is_late, unsourced
 from fleet_tui.situation.navigation import silent_navigation
 from fleet_tui.situation.robots import last_contact
 from fleet_tui.text.details import detail_text
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.text.units import age
 
 SHORT = 20.0
 """Seconds of standing with an order that need no cause."""
-RESTART = "Restart the program that carries out its orders, then check them"
-LOOK = "Go and look at it: its way, wheels, emergency stop, manual mode"
+RESTART = Message("Restart the program that carries out its orders, then check them")
+LOOK = Message("Go and look at it: its way, wheels, emergency stop, manual mode")
 
 
 def command(state: FleetState, robot: Robot) -> Reason | None:
@@ -55,11 +55,11 @@ def command(state: FleetState, robot: Robot) -> Reason | None:
     evidence = record.detail or Message("issued {age} ago", age=age(state.now - record.issued_at))
     strength = Strength.LIKELY if robot.orders.open else Strength.CERTAIN
     keys = (verb,) if failed else ()
-    remedy = failure_remedy(state, robot, record) or CLASSES["command"].action if failed else ""
+    remedy = failure_remedy(state, robot, record) or CLASSES["command"].action if failed else EMPTY
     if record.stage is Stage.FAILED and remedy_of(evidence):
         keys = (*LOOK_AT, *keys, "diagnostics")
     return Reason(
-        f"{verb}: {record.stage.value}",
+        Message("{verb}: {value}", verb=verb, value=Message(record.stage.value)),
         evidence,
         strength,
         since=record.at,
@@ -79,9 +79,9 @@ def failed_order(state: FleetState, robot: Robot) -> Reason | None:
         return None
     evidence, cause = mission(robot, last.order), cause_of_end(robot, last)
     name = (
-        Message("last order failed: {cause}", cause=Message(cause))
+        Message("last order failed: {cause}", cause=cause)
         if cause
-        else "last order failed, no reason reported"
+        else Message("last order failed, no reason reported")
     )
     remedy = remedy_of(cause)
     keys = (*(LOOK_AT if remedy else ()), "order", "diagnostics")
@@ -89,7 +89,7 @@ def failed_order(state: FleetState, robot: Robot) -> Reason | None:
     if end.stage is not Stage.FAILED:
         name, evidence = (
             Message("last order {value}", value=Message(end.stage.value)),
-            f"{evidence}{detail_text(end.reason)}",
+            Message("{evidence}{detail_text}", evidence=evidence, detail_text=detail_text(end.reason)),
         )
         remedy = ORDER_ENDS[end.stage].remedy
     return Reason(name, evidence, since=last.at, keys=keys, remedy=remedy, page="log")
@@ -100,8 +100,10 @@ def cargo(state: FleetState, robot: Robot) -> Reason | None:
     if not robot.has_cargo or robot.queue is None or robot.orders.open:
         return None
     strength = Strength.POSSIBLE if state.is_old(robot, "queue") else Strength.CERTAIN
-    evidence = "cargo on board, no orders: order a destination"
-    return Reason("cargo without destination", evidence, strength, seen=robot.queue.at, keys=("order",))
+    evidence = Message("cargo on board, no orders: order a destination")
+    return Reason(
+        Message("cargo without destination"), evidence, strength, seen=robot.queue.at, keys=("order",)
+    )
 
 
 def no_orders(state: FleetState, robot: Robot) -> Reason | None:
@@ -110,17 +112,22 @@ def no_orders(state: FleetState, robot: Robot) -> Reason | None:
         return None
     if robot.queue is None:
         if robot.kind.expects("queue"):
-            return Reason("queue unknown", "no queue received", Strength.POSSIBLE)
-        return Reason("no orders", "none reported so far", Strength.POSSIBLE, keys=("order",))
+            return Reason(Message("queue unknown"), Message("no queue received"), Strength.POSSIBLE)
+        return Reason(
+            Message("no orders"), Message("none reported so far"), Strength.POSSIBLE, keys=("order",)
+        )
     if robot.orders.open or robot.has_cargo:
         return None
     record = last_command(state, robot, PlaceOrder, ClearOrders, CancelOrder)
     taken = record is not None and isinstance(record.command, ClearOrders | CancelOrder)
-    evidence = f"{'no goal' if robot.kind.keeps_goals else 'queue empty'}: waiting for an order"
+    evidence = Message(
+        "{value}: waiting for an order",
+        value=Message("no goal") if robot.kind.keeps_goals else Message("queue empty"),
+    )
     if record is not None and taken and record.stage is Stage.CONFIRMED:
         evidence = Message("removed from the queue by this console {age} ago", age=age(state.now - record.at))
     strength = Strength.POSSIBLE if state.is_old(robot, "queue") else Strength.CERTAIN
-    return Reason("no orders", evidence, strength, seen=robot.queue.at, keys=("order",))
+    return Reason(Message("no orders"), evidence, strength, seen=robot.queue.at, keys=("order",))
 
 
 FAIR_SHARE = 0.5
@@ -133,12 +140,18 @@ def at_stop(state: FleetState, robot: Robot) -> Reason | None:
     order, here, since = robot.orders.current, vertex_here(robot), stationary_since(robot)
     if order is None or since is None or here is None or here != next_stop(robot):
         return None
-    does = "stops" if not robot.kind.brings_cargo else "unloading" if robot.has_cargo else "loading"
+    does = (
+        Message("stops")
+        if not robot.kind.brings_cargo
+        else Message("unloading")
+        if robot.has_cargo
+        else Message("loading")
+    )
     strength = Strength.LIKELY if state.now - since < RECENT else Strength.POSSIBLE
     strength = Strength.NONE if state.now - since >= state.limits.stuck_after else strength
     return Reason(
-        Message("{does} at {name_of}", does=Message(does), name_of=name_of(robot, here)),
-        Message("for {mission}", mission=Message(mission(robot, order))),
+        Message("{does} at {name_of}", does=does, name_of=name_of(robot, here)),
+        Message("for {mission}", mission=mission(robot, order)),
         strength,
         since,
     )
@@ -156,7 +169,7 @@ def waits_behind(state: FleetState, robot: Robot) -> Reason | None:
         return None  # it has just come, and is not the cause
     back = in_the_way(state, other)
     mark = mark_of(state, other)
-    mutual = "; each blocks the other" if back is not None and back.robot is robot else ""
+    mutual = Message("; each blocks the other") if back is not None and back.robot is robot else EMPTY
     return Reason(
         Message("waiting behind {name}", name=other.name),
         Message(
@@ -164,7 +177,7 @@ def waits_behind(state: FleetState, robot: Robot) -> Reason | None:
             name=other.name,
             ahead=f"{found.ahead:.1f}",
             name_of=name_of(robot, found.vertex),
-            mutual=Message(mutual),
+            mutual=mutual,
         ),
         Strength.LIKELY if other.orders.current is not None else Strength.POSSIBLE,
         since=stationary_since(other),
@@ -178,7 +191,7 @@ def none_current(_state: FleetState, robot: Robot) -> Reason | None:
     waiting = robot.orders.open
     if robot.queue is None or not waiting or robot.orders.current is not None:
         return None
-    evidence = Message("first: {mission}", mission=Message(mission(robot, waiting[0])))
+    evidence = Message("first: {mission}", mission=mission(robot, waiting[0]))
     name = Message("{waiting} orders queued but not started", waiting=len(waiting))
     if len(waiting) == 1:
         name = Message("order {id} queued but not started", id=waiting[0].id)
@@ -194,7 +207,9 @@ def stale_queue(state: FleetState, robot: Robot) -> Reason | None:
         return None  # that is the cause
     if not state.is_online(robot) or is_late(state.links[robot.link]):
         return None
-    evidence = "its other reports arrive: the program that carries out its orders has probably stopped"
+    evidence = Message(
+        "its other reports arrive: the program that carries out its orders has probably stopped"
+    )
     return Reason(
         Message("queue {age} old", age=age(state.now - robot.queue.at)),
         evidence,
@@ -206,21 +221,23 @@ def stale_queue(state: FleetState, robot: Robot) -> Reason | None:
 
 def _ruled_out(state: FleetState, robot: Robot) -> Iterator[str]:
     if robot.obstacle is not None and last_contact(state, robot) is None:
-        yield "no obstacle"
+        yield Message("no obstacle")
     if robot.paused is not None and not state.is_paused(robot):
-        yield "no pause"
+        yield Message("no pause")
 
 
 def unexplained(state: FleetState, robot: Robot) -> Reason | None:
     """Report an active order without an explanation for standing."""
     order, since = robot.orders.current, stationary_since(robot)
     if order is None and not robot.kind.lists_orders:
-        evidence = "this kind of robot does not report its orders"
-        return Reason("cause unknown", evidence, Strength.NONE, since, remedy=LOOK)
+        evidence = Message("this kind of robot does not report its orders")
+        return Reason(Message("cause unknown"), evidence, Strength.NONE, since, remedy=LOOK)
     if order is None:
         return None
     ruled_out = ", ".join(_ruled_out(state, robot))
-    evidence = f"{mission(robot, order)} active{ruled_out and f'; {ruled_out}'}"
+    evidence = Message(
+        "{mission} active{ruled_out}", mission=mission(robot, order), ruled_out=ruled_out and f"; {ruled_out}"
+    )
     if since is not None and state.now - since < SHORT:  # a turn, a crossing, loading: it may drive on
         return Reason(
             Message("stopped {age} ago, nothing wrong so far", age=age(state.now - since)),
@@ -228,4 +245,6 @@ def unexplained(state: FleetState, robot: Robot) -> Reason | None:
             Strength.NONE,
         )
     keys = ("centre", "cancel", "clear")
-    return Reason("cause unknown", evidence, Strength.NONE, since, keys=keys, remedy=LOOK, page="log")
+    return Reason(
+        Message("cause unknown"), evidence, Strength.NONE, since, keys=keys, remedy=LOOK, page="log"
+    )

@@ -4,10 +4,10 @@ import math
 
 from fleet_tui.model.robot import Robot, RobotMap
 from fleet_tui.rules.why.traffic import AT_VERTEX
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message
 
 
-def place_text(robot: Robot) -> str:
+def place_text(robot: Robot) -> Message:
     """Return the labelled vertex nearest to the robot, and its floor if it has several, without a pose the
     node where it was last; empty without a label."""
     here = robot.maps.get(robot.floor or "", RobotMap())
@@ -15,7 +15,7 @@ def place_text(robot: Robot) -> str:
         node = robot.vehicle.value.last_node
         return Message("at node {name_of}", name_of=robot.name_of(node) or node)
     if robot.pose is None or here.graph is None:
-        return ""
+        return EMPTY
     pose, vertices = robot.pose.value, here.graph.vertices
     labelled = [vertices[id_] for id_ in here.labels if id_ in vertices]
     metres, label = min(
@@ -23,7 +23,7 @@ def place_text(robot: Robot) -> str:
         default=(math.inf, ""),
     )
     if not math.isfinite(metres):
-        return ""
+        return EMPTY
     floor = f", {robot.floor}" if len(robot.maps) > 1 else ""
     return (
         Message("at {label}{floor}", label=label, floor=floor)

@@ -10,7 +10,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import Order, route_text
 from fleet_tui.model.robot import Robot
 from fleet_tui.situation.fact import Fact
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message
 
 RECENT = 30.0
 """Seconds for which a failed command is a reason, and for which loading takes a moment."""
@@ -34,13 +34,13 @@ class Reason(Struct, frozen=True):
     it holds, `seen` when it was last reported. `keys` are the ids of the keys that help; `remedy` is
     what a person can do on site, `page` the page of diagnostics that shows more."""
 
-    name: str
-    evidence: str
+    name: Message
+    evidence: Message
     strength: Strength = Strength.CERTAIN
     since: float | None = None
     seen: float | None = None
     keys: tuple[str, ...] = ()
-    remedy: str = ""
+    remedy: Message = EMPTY
     page: str = "topics"
 
 
@@ -64,11 +64,15 @@ def name_of(robot: Robot, vertex: str) -> str:
     return robot.name_of(vertex) or f"{vertex}?"
 
 
-def mission(robot: Robot, order: Order) -> str:
+def mission(robot: Robot, order: Order) -> Message:
     """Return an order by its id and its stops. An id that is not a number says nothing beside them."""
     number = (
         Message("order {id}, ", id=order.id)
         if order.id.isdigit() or not (order.stops or order.label)
         else "order "
     )
-    return f"{number}{order.label or route_text(order.stops, partial(name_of, robot))}"
+    return Message(
+        "{number}{label}",
+        number=number,
+        label=order.label or route_text(order.stops, partial(name_of, robot)),
+    )

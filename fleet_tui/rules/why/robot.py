@@ -26,10 +26,10 @@ from fleet_tui.situation.facts import BAD_DATA, NO_POSE
 from fleet_tui.situation.localisation import no_pose
 from fleet_tui.situation.motion import STANDS_AFTER, moves_despite_pause, says_driving
 from fleet_tui.situation.robots import absence, last_contact, silent
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.text.units import age, ago, duration
 
-WRONG_POSE = "Set its pose to where it stands, or check its localisation"
+WRONG_POSE = Message("Set its pose to where it stands, or check its localisation")
 DIAGNOSE = ("diagnostics",)
 FULL = 95.0
 """Per cent below which a robot at a charger may be charging."""
@@ -46,13 +46,13 @@ def moves(state: FleetState, robot: Robot) -> Reason | None:
     says = says_driving(state, robot)
     if says is not None and robot.vehicle is not None:
         name = Message("{name} is driving", name=robot.name)
-        return Reason(name, "reported by the vehicle", seen=robot.vehicle.at) if says else None
+        return Reason(name, Message("reported by the vehicle"), seen=robot.vehicle.at) if says else None
     since = stationary_since(robot)
     if robot.pose is None or since is None or state.is_old(robot, "pose"):
         return None
     if state.now - since >= STANDS_AFTER:
         return None
-    evidence = Message("pose changed {ago}", ago=Message(ago(since, state.now)))
+    evidence = Message("pose changed {ago}", ago=ago(since, state.now))
     return Reason(Message("{name} is driving", name=robot.name), evidence, seen=robot.pose.at)
 
 
@@ -117,9 +117,9 @@ def paused(state: FleetState, robot: Robot) -> Reason | None:
     since = record.time_of(Stage.SENT) if record is not None else None
     if robot.paused is None:
         name = own_pause_text(state, robot)
-        return Reason(name, "pause accepted by the robot", since=since, keys=("resume",))
-    by = "sent by this console" if since is not None else "not sent by this console"
-    return Reason("paused", by, since=since, seen=robot.paused.at, keys=("resume",))
+        return Reason(name, Message("pause accepted by the robot"), since=since, keys=("resume",))
+    by = Message("sent by this console") if since is not None else Message("not sent by this console")
+    return Reason(Message("paused"), by, since=since, seen=robot.paused.at, keys=("resume",))
 
 
 def not_stopped(state: FleetState, robot: Robot) -> Reason | None:
@@ -127,7 +127,7 @@ def not_stopped(state: FleetState, robot: Robot) -> Reason | None:
     fact = moves_despite_pause(state, robot)
     if fact is None:
         return None
-    keys, remedy = fact.kind.keys, fact.action if fact.priority is not Priority.LOW else ""
+    keys, remedy = fact.kind.keys, fact.action if fact.priority is not Priority.LOW else EMPTY
     return Reason(fact.text, fact.evidence, since=fact.since, seen=fact.seen, keys=keys, remedy=remedy)
 
 
@@ -152,10 +152,10 @@ def obstacle(state: FleetState, robot: Robot) -> Reason | None:
     if contact is None or contact.value <= 0.0 or (is_old and not lasts):
         return None
     strength = Strength.CERTAIN if lasts else Strength.LIKELY
-    evidence = "obstacle contact: clear the path at the robot"
+    evidence = Message("obstacle contact: clear the path at the robot")
     return Reason(
         obstacle_text(state, robot, contact),
-        evidence if not is_old else "last report, none received since",
+        evidence if not is_old else Message("last report, none received since"),
         strength if not is_old else Strength.POSSIBLE,
         since=contact.at - contact.value,
         seen=contact.at,
@@ -210,10 +210,10 @@ def misplaced(state: FleetState, robot: Robot) -> Reason | None:
     if not text or robot.pose is None or found is None or text == OFF_ROUTE:
         return None  # off its routes is another rule's, with the metres
     pose, is_now = robot.pose.value, is_misplaced(robot)
-    evidence: str = Message(
+    evidence: Message = Message(
         "at {x}, {y} m on {floor} no robot can be", x=f"{pose.x:.1f}", y=f"{pose.y:.1f}", floor=robot.floor
     )
-    evidence = evidence if is_now else "its pose has just been where no robot can be"
+    evidence = evidence if is_now else Message("its pose has just been where no robot can be")
     is_sure = is_now or misplaced_for_long(state, robot) is not None
     strength = Strength.CERTAIN if is_sure else Strength.LIKELY
     strength = strength if state.is_fresh(robot, "pose") else Strength.POSSIBLE
@@ -227,14 +227,14 @@ def off_graph(state: FleetState, robot: Robot) -> Reason | None:
         return None
     name, evidence = (
         Message("pose {metres_off} m off the route graph", metres_off=f"{metres_off(robot):.1f}"),
-        "its order leads along the edges",
+        Message("its order leads along the edges"),
     )
     strength = Strength.LIKELY if misplaced_for_long(state, robot) is None else Strength.CERTAIN
     remedy, keys = to_place(state, robot)
     return Reason(name, evidence, strength, seen=robot.pose.at, keys=keys, remedy=remedy)
 
 
-def to_place(state: FleetState, robot: Robot) -> tuple[str, tuple[str, ...]]:
+def to_place(state: FleetState, robot: Robot) -> tuple[Message, tuple[str, ...]]:
     """Return what to do about a wrong pose, and its keys: while a robot drives none is set."""
     if robot.orders.current is None or is_held(state, robot):
         return WRONG_POSE, ("pose", "centre")
@@ -245,8 +245,12 @@ def charges(state: FleetState, robot: Robot) -> Reason | None:
     """Report that it is at a charger, is not full, and drives no order."""
     charger, battery = charger_used(state, robot), robot.battery
     if (reported := charging_reported(state, robot)) is not None:
-        by = "reported by the vehicle" if reported is robot.vehicle else "reported by its driver"
-        return Reason("charging", by, Strength.LIKELY, stationary_since(robot), reported.at)
+        by = (
+            Message("reported by the vehicle")
+            if reported is robot.vehicle
+            else Message("reported by its driver")
+        )
+        return Reason(Message("charging"), by, Strength.LIKELY, stationary_since(robot), reported.at)
     if charger is None or battery is None or battery.value >= FULL:
         return None
     evidence = Message("at the charger, battery {value} %, no order active", value=int(battery.value))

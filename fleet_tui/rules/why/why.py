@@ -59,6 +59,7 @@ from fleet_tui.rules.why.robot import (
 )
 from fleet_tui.rules.why.vehicles import VEHICLE_REASONS
 from fleet_tui.situation.facts import UNLOCALISED
+from fleet_tui.text.language import Message
 
 if TYPE_CHECKING:  # numpy
     from fleet_tui.rules.localisation.match import Match
@@ -135,9 +136,9 @@ def _unfit(state: FleetState, robot: Robot, match: "Match | None") -> list[Reaso
     if match is None or not match.is_poor:
         return []
     _, keys = to_place(state, robot)
-    remedy = "Set its pose, then search there for the best fit of its scan"
+    remedy = Message("Set its pose, then search there for the best fit of its scan")
     if "pause" in keys:
-        remedy = "Pause it and set its pose, then search there for the best fit of its scan"
+        remedy = Message("Pause it and set its pose, then search there for the best fit of its scan")
     return [Reason(UNLOCALISED.word, match.text, keys=keys, remedy=remedy)]
 
 

@@ -16,7 +16,7 @@ from fleet_tui.screens.tables.paged_overlay import PagedOverlay
 from fleet_tui.terminal.clipboard import clipboard, copied_text
 from fleet_tui.terminal.display_driver import DisplayDriver
 from fleet_tui.terminal.lean_app import LeanApp
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import EMPTY, Message, tr
 from fleet_tui.view.lines.diagnostics import foot_runs, page_runs
 from fleet_tui.widgets.bindings import bindings, overlay_bindings
 
@@ -33,7 +33,7 @@ class DiagnosticsControls:
         self._view = view
         self._pages = pages
         self.current = Page.LINK
-        self.notice = ""
+        self.notice = EMPTY
         self._cursors: dict[Page, Hashable] = {}
         self._came_from_topics = False
         self._robot = ""
@@ -59,7 +59,7 @@ class DiagnosticsControls:
         """Show a page, with its last cursor position."""
         self._cursors[self.current] = self._view.rows.listing.cursor
         self.current = Page(number)
-        self.notice = ""
+        self.notice = EMPTY
         self._came_from_topics = False
         self._view.rows.listing.cursor = self._cursors.get(self.current)
         self._view.put_filter(self._pages.wanted.get(self.current, ""))
@@ -75,8 +75,8 @@ class DiagnosticsControls:
 
     def freeze(self) -> None:
         """Freeze the message or the log, or resume."""
-        nothing = tr("only the message and the robot log can be frozen")
-        self.notice = "" if self._pages.freeze(self.current) else nothing
+        nothing = Message("only the message and the robot log can be frozen")
+        self.notice = EMPTY if self._pages.freeze(self.current) else nothing
         self._view.look()
 
     def copy(self, tries: int = 5) -> None:
@@ -85,14 +85,14 @@ class DiagnosticsControls:
         output = self._view.output
         text, what = self._pages.copy(self.current, self._view.rows.listing.cursor, output.budget)
         if not text:
-            self.notice = tr("nothing to copy")
+            self.notice = Message("nothing to copy")
         elif output.call(clipboard(text)):
             self.notice = copied_text(what)
         elif tries > 1:
             self._view.set_timer(0.1, partial(self.copy, tries - 1))
             return
         else:
-            self.notice = tr("not copied: the terminal is not reading")
+            self.notice = Message("not copied: the terminal is not reading")
         self._view.look()
 
     def next_level(self) -> None:

@@ -20,7 +20,7 @@ from fleet_tui.log_file import state_folder
 from fleet_tui.rules.history.division import Division
 from fleet_tui.screens.tables.paged_overlay import PagedOverlay
 from fleet_tui.state.store import Store
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import EMPTY, Message, tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.history.places import heat_rows, places_table
 from fleet_tui.view.history.tables import (
@@ -134,22 +134,22 @@ def history_overlay(screen: "MainScreen", rest: "Rest") -> "HistoryOverlay":
     options = lambda: rest.map.picture.options  # noqa: E731  # a name for a value that changes
     pages = HistoryPages(screen.store, screen.settings.clock, screen.navigation, options)
 
-    def run(command: "Sequence[str]") -> str:
+    def run(command: "Sequence[str]") -> Message:
         try:
             with screen.app.suspend():
                 return run_in_terminal(command)
         except SuspendNotSupported:
-            return tr("this terminal can't be given to a recording: open it in another one")
+            return Message("this terminal can't be given to a recording: open it in another one")
 
     replaying = PastReplay(screen.files, state_folder(), lambda: _loss(rest), run)
     return HistoryOverlay(screen, pages, replaying)
 
 
-def _loss(rest: "Rest") -> str:
+def _loss(rest: "Rest") -> Message:
     """Return the reason why this console can't be left alone, empty if it can."""
     if rest.drives.mode is not None:
-        return tr("a robot is driven by hand")
-    return tr("a routine runs here") if rest.routines.has_losses else ""
+        return Message("a robot is driven by hand")
+    return Message("a routine runs here") if rest.routines.has_losses else EMPTY
 
 
 class HistoryOverlay(PagedOverlay):

@@ -17,14 +17,14 @@ from fleet_tui.rules.language.favourites import Favourite, Given, favourites
 from fleet_tui.rules.language.lookup import HERE, Place, matches, places, recent_ends, starts_here
 from fleet_tui.rules.routes.charging import way_to_charger
 from fleet_tui.situation.motion import STANDS_AFTER
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import EMPTY, Message, tr, translate
 from fleet_tui.text.sanitize import cell_width, sanitize
 from fleet_tui.view.tables.table import column
 
 SHOWN = 30
 LONGEST = 24
 """Choices that are listed, and cells of the column of their names."""
-ROLES = {Role.DOCKING: "charger", Role.ELEVATOR: "lift"}
+ROLES = {Role.DOCKING: Message("charger"), Role.ELEVATOR: Message("lift")}
 
 Choice = Place | str | Favourite
 """A place, the name of a robot, or a whole order to give again."""
@@ -90,54 +90,56 @@ def title(robot: Robot | None) -> str:
     return tr("Destination of the cargo on board") if carries else tr("Order")
 
 
-def changed(names: Sequence[str]) -> str:
+def changed(names: Sequence[str]) -> Message:
     """Return the notice about places that were chosen and are no longer what they were."""
     listed = ", ".join(map(sanitize, names))
-    return tr("{listed}: changed meanwhile, choose again", listed=listed)
+    return Message("{listed}: changed meanwhile, choose again", listed=listed)
 
 
-def missing(field: str, typed: str = "") -> str:
+def missing(field: str, typed: str = "") -> Message:
     if typed.strip():
-        return tr("{field}: Enter takes the marked place", field=tr(field.capitalize()))
+        return Message("{field}: Enter takes the marked place", field=tr(field.capitalize()))
     remedy = tr("its name") if field == "robot" else tr("a label or a vertex id")
-    return tr("{field} is missing: type {remedy}", field=tr(field.capitalize()), remedy=remedy)
+    return Message("{field} is missing: type {remedy}", field=tr(field.capitalize()), remedy=remedy)
 
 
-def no_match(robot: Robot | None, field: str, typed: str) -> str:
+def no_match(robot: Robot | None, field: str, typed: str) -> Message:
     """Return the text for typed words that are no choice, with the nearest place or nothing."""
-    near = did_you_mean(typed, [place.name for place in places(robot)]) if robot and field != "robot" else ""
-    return tr(
+    near = (
+        did_you_mean(typed, [place.name for place in places(robot)]) if robot and field != "robot" else EMPTY
+    )
+    return Message(
         "{field}: no match for {typed}{near}",
         field=tr(field.capitalize()),
         typed=f"{typed!r}",
-        near=tr(sanitize(near)),
+        near=translate(sanitize(near)),
     )
 
 
-def without_places(robot: Robot | None) -> str:
+def without_places(robot: Robot | None) -> Message:
     """Return the notice for a robot that has no places to choose, empty for others."""
     if robot is None or places(robot):
-        return ""
+        return EMPTY
     if "graph" in robot.kind.reports:
-        return tr("{name} has no route graph yet: there are no places to choose", name=robot.name)
+        return Message("{name} has no route graph yet: there are no places to choose", name=robot.name)
     aim = tr("; G sends it to a point of the map") if robot.kind.can(GOAL) else ""
-    return tr(
+    return Message(
         "{name} publishes no route graph: set [[floors]] graph = FILE in the configuration{aim}",
         name=robot.name,
         aim=aim,
     )
 
 
-def hindrance(state: FleetState, robot: Robot | None) -> str:
+def hindrance(state: FleetState, robot: Robot | None) -> Message:
     """Return why no order can be given to a robot now, empty if one can."""
     if robot is not None and state.links[robot.link].phase is not Phase.UP:
-        return tr("no link: an order is not sent now, and not later")
+        return Message("no link: an order is not sent now, and not later")
     return without_places(robot)
 
 
 def warnings(state: FleetState, robot: Robot | None, found: Sequence[Problem]) -> str:
     """Return what speaks against an order now, its problems `found` and a low battery, empty for nothing."""
-    texts = [tr(sanitize(problem.text)) for problem in found]
+    texts = [translate(sanitize(problem.text)) for problem in found]
     if robot is not None and robot.battery is not None and has_low_battery(state, robot):
         texts.append(tr("battery of {name}: {value} %", name=robot.name, value=f"{robot.battery.value:.0f}"))
         if way_to_charger(state, robot):
@@ -205,8 +207,8 @@ def _about(state: FleetState, robot: Robot | None, place: Place, start: Place | 
     if robot is None:
         return sanitize(place.floor) if len(state.floors) > 1 else ""
     vertex, begin = _vertex(robot, place), _vertex(robot, start) if start is not None else None
-    role = ROLES.get(vertex.role, "") if vertex is not None else ""
-    parts = [tr(role)] if role and role not in place.name.casefold() else []
+    role = ROLES.get(vertex.role, EMPTY) if vertex is not None else EMPTY
+    parts = [translate(role)] if role and role not in place.name.casefold() else []
     if vertex is not None and vertex.role is Role.DOCKING and robot.features and robot.features.charges:
         parts.append(tr("charges there"))
     pose = robot.pose if state.is_fresh(robot, "pose") and robot.still_for >= STANDS_AFTER else None
@@ -225,5 +227,5 @@ def _about(state: FleetState, robot: Robot | None, place: Place, start: Place | 
 def line(choice: Favourite | str) -> str:
     """Return the line of an order to give again, or of a robot."""
     if isinstance(choice, Favourite):
-        return f"{sanitize(choice.start.name)} -> {sanitize(choice.end.name)}  ({tr(choice.reason)})"
+        return f"{sanitize(choice.start.name)} -> {sanitize(choice.end.name)}  ({translate(choice.reason)})"
     return tr("{ANYONE}: the nearest idle robot", ANYONE=ANYONE) if choice == ANYONE else choice

@@ -10,11 +10,11 @@ from textual.widgets import Static
 from fleet_tui.rules.language.favourites import Favourite
 from fleet_tui.rules.language.lookup import HERE, Place
 from fleet_tui.screens.ordering.legs import LegField, Legs
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import N_, tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.widgets.field import Keys
 
-NAMES = ("robot", "from", "to")
+NAMES = {"robot": N_("Robot"), "from": N_("From"), "to": N_("To")}
 
 
 class OrderFields(Vertical):
@@ -145,4 +145,5 @@ class OrderFields(Vertical):
 
     def step(self, step: int) -> None:
         """Go to the next (1) or previous (-1) field, around the ends."""
-        self.screen.set_focus(self._boxes[NAMES[(NAMES.index(self.current) + step) % len(NAMES)]])
+        names = list(NAMES)
+        self.screen.set_focus(self._boxes[names[(names.index(self.current) + step) % len(names)]])

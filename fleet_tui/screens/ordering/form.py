@@ -40,7 +40,7 @@ from fleet_tui.screens.ordering.fields import OrderFields
 from fleet_tui.screens.ordering.legs import SIGN, Legs
 from fleet_tui.screens.ordering.sending import Give, GiveAnyone, OrderSending
 from fleet_tui.screens.overlay import MouseButton, ReturningOverlay
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import EMPTY, Message, tr, translate
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.widgets.matches import Matches
 
@@ -48,11 +48,11 @@ Picture = tuple[tuple[object, ...], tuple[object, ...]]
 """Values, and the graphs and labels, each of which is replaced as a whole."""
 
 
-CHOSEN = "the dispatcher chooses the robot"
+CHOSEN = Message("the dispatcher chooses the robot")
 AGAIN = 1.0
 """Seconds after which the nearest robot is looked for again: it takes a search of every graph."""
-NEXT = "Enter  next"
-SEND = "Enter  send"
+NEXT = Message("Enter  next")
+SEND = Message("Enter  send")
 """Labels of the button for Enter: before the last field, and in it."""
 
 
@@ -149,11 +149,11 @@ class OrderForm(ReturningOverlay):
         self._past = past
         self._objections = objections
         self._picture = picture_of(state(), None)
-        self._said = ""
+        self._said = EMPTY
         self._said_of = list[str]()
         self._clicked = ""
         self.route = Static(id="route", markup=False)
-        self._send = MouseButton(tr(NEXT), id="send", compact=True)
+        self._send = MouseButton(translate(NEXT), id="send", compact=True)
         self._fields = OrderFields(
             {
                 "enter": self._enter,
@@ -186,7 +186,7 @@ class OrderForm(ReturningOverlay):
         or the end if none is needed; `way` are both, as proposed."""
         self._fields.clear(robot)
         self._clicked = ""
-        self._said, self._picture = "", picture_of(self._state(), self._robot())
+        self._said, self._picture = EMPTY, picture_of(self._state(), self._robot())
         may_be_here = (chosen := self._robot()) is not None and starts_here(chosen)
         if picked is not None:
             self._fields.take("to" if may_be_here else "from", picked)
@@ -216,7 +216,7 @@ class OrderForm(ReturningOverlay):
                 self._fields.note_gone(field, self._fields.typed or tr(field.capitalize()))
             self.border_subtitle = self._choices.scope(robot)
             if not holds:
-                self._said = ""
+                self._said = EMPTY
         self._tell()
         return holds
 
@@ -231,7 +231,7 @@ class OrderForm(ReturningOverlay):
         self._fields.start_here(robot is not None and starts_here(robot))
         self.border_title = title(robot)
 
-    def _say(self, text: str, field: str = "") -> None:
+    def _say(self, text: Message, field: str = "") -> None:
         """Show an error until something else is typed, and focus its field."""
         self._said = text
         self._said_of = self._fields.values
@@ -245,7 +245,13 @@ class OrderForm(ReturningOverlay):
         unknown, found = self._choices.unknown(robot), self._problems(robot)
         self._send.disabled = bool(unknown) or (self._is_last and any(problem.blocks for problem in found))
         again = changed(gone) if (gone := self._fields.gone) else ""
-        text = again or tr(self._said) or hindrance(state, robot) or unknown or warnings(state, robot, found)
+        text = (
+            again
+            or translate(self._said)
+            or hindrance(state, robot)
+            or unknown
+            or warnings(state, robot, found)
+        )
         note = self.query_one("#missing", Static)
         if text != note.content:  # an update lays out the whole screen
             note.update(text)
@@ -268,7 +274,7 @@ class OrderForm(ReturningOverlay):
         """List the matches of the field with the cursor, the first one marked."""
         if self.is_open:
             robot = self._robot()
-            self._send.label = tr(SEND if self._is_last else NEXT)
+            self._send.label = translate(SEND if self._is_last else NEXT)
             self._choices.list_for(robot)
             self.border_subtitle = self._choices.scope(robot)
             self._tell()
@@ -284,7 +290,7 @@ class OrderForm(ReturningOverlay):
         if field == "robot":
             self._arrange()
         if self._fields.values != self._said_of:
-            self._said = ""
+            self._said = EMPTY
         self._list()
 
     @on(ChoiceList.OptionSelected, "#matches")
@@ -392,6 +398,8 @@ class Proposal(Static):
         self._at = state.now
         is_dispatched = to_any(state, places) is not None
         self._found = nearest(state, places) if places and not is_dispatched else None
-        reason = why_none(state, places) if places and not is_dispatched else CHOSEN * is_dispatched
-        self.update(tr(sanitize(self._found.text if self._found is not None else reason)))
+        reason = (
+            why_none(state, places) if places and not is_dispatched else CHOSEN if is_dispatched else EMPTY
+        )
+        self.update(translate(sanitize(self._found.text if self._found is not None else reason)))
         self.display = bool(places)

@@ -9,11 +9,11 @@ from fleet_tui.rules.language.anyone import is_anyone
 from fleet_tui.rules.language.lookup import Place, order_of
 from fleet_tui.screens.ordering.choices import missing
 from fleet_tui.screens.ordering.fields import OrderFields
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import Message
 
-Give = Callable[[Request, Callable[[], None]], str]
+Give = Callable[[Request, Callable[[], None]], Message]
 """Sends a request, and calls back when it was sent. Returns its problem."""
-GiveAnyone = Callable[[Sequence[Place], Callable[[], None]], str]
+GiveAnyone = Callable[[Sequence[Place], Callable[[], None]], Message]
 """Does so with the places of an order without a robot."""
 
 
@@ -28,22 +28,22 @@ class OrderSending:
         self._give = give
         self._give_anyone = give_anyone
 
-    def finish(self, robot: Robot | None, sent: Callable[[], None]) -> tuple[str, str]:
+    def finish(self, robot: Robot | None, sent: Callable[[], None]) -> tuple[Message, str]:
         """Give a complete order, to any robot if the field for it is empty. Returns the problem, empty for
         none, and the field to correct."""
         if robot is not None:
             return self._for(robot, sent)
         if not is_anyone(typed := self._fields["robot"].value.strip(), self._state()):
-            return tr("Robot: no match for {typed}", typed=f"{typed!r}"), "robot"
+            return Message("Robot: no match for {typed}", typed=f"{typed!r}"), "robot"
         return self._without(("from", "to")) or (self._give_anyone(self._fields.visited, sent), "to")
 
-    def _for(self, robot: Robot, sent: Callable[[], None]) -> tuple[str, str]:
+    def _for(self, robot: Robot, sent: Callable[[], None]) -> tuple[Message, str]:
         self._fields.choose_for(robot.name)
         if problem := self._without(("from", "to")):
             return problem
         return self._give(order_of(robot, self._fields.visited), sent), "to"
 
-    def _without(self, names: Sequence[str]) -> tuple[str, str] | None:
+    def _without(self, names: Sequence[str]) -> tuple[Message, str] | None:
         """Return the first field that lacks a place, None without one."""
         field = self._fields.missing(names)
         return (missing(field, self._fields[field].typed), field) if field else None

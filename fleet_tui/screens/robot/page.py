@@ -21,7 +21,7 @@ from fleet_tui.rules.battery.history import BatteryHistories
 from fleet_tui.rules.why.complaints import complaints
 from fleet_tui.screens.overlay import ReturningOverlay
 from fleet_tui.screens.robot.overlay import RobotOverlay, robot_bindings
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.view.map.drawing import Drawing
 from fleet_tui.view.robot.page import PageContent, page_lines, page_title
 from fleet_tui.view.robot.sections import LAST, Clock, Line
@@ -42,7 +42,7 @@ READ_EVERY = 5.0
 
 REDRAW_EVERY = 5
 """Seconds after which the curve is drawn again without a new sample."""
-NOT_KEPT = "past ones: no audit log here"
+NOT_KEPT = Message("past ones: no audit log here")
 
 
 class PageSource:
@@ -63,7 +63,7 @@ class PageSource:
         self._clock = clock
         self._drawing = drawing
         self._batteries = BatteryHistories()
-        self._past: tuple[str, Sequence[PastAlarm], str] = "", (), ""
+        self._past: tuple[str, Sequence[PastAlarm], Message] = "", (), EMPTY
         """Of a robot: its past alarms, and a note on them."""
         self._can_draw = False
         self._drawn: tuple[Hashable, Sequence[Line]] = None, ()
@@ -104,13 +104,13 @@ class PageSource:
 
         audit = self._audit()
         past: Sequence[PastAlarm] = ()
-        note = "" if audit is not None else NOT_KEPT
+        note = EMPTY if audit is not None else NOT_KEPT
         if audit is not None:
             try:
                 records = AuditReader(audit.file.path).newest_first()
                 past = past_alarms(records, audit.origin.run, name, LAST)
             except OSError as failed:
-                note = tr("past ones: log not readable: {strerror}", strerror=failed.strerror)
+                note = Message("past ones: log not readable: {strerror}", strerror=failed.strerror)
         self._past = (name, past, note)
         self._can_draw = True
 

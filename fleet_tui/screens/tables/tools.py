@@ -22,7 +22,7 @@ from fleet_tui.screens.overlay import Overlay
 from fleet_tui.terminal.clipboard import clipboard, copied_text
 from fleet_tui.terminal.lean_app import LeanApp
 from fleet_tui.text.details import detail_text
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import Message, tr, translate
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.commands import command_text, stage_text
 from fleet_tui.view.tables.groups import GroupHead
@@ -95,7 +95,7 @@ class TableTools:
         if self._table.size.height:
             self.filter_line.start(self._table)
         else:
-            self._screen.notices.say("no table is in view: Esc shows them")
+            self._screen.notices.say(Message("no table is in view: Esc shows them"))
 
     def _sort(self) -> None:
         self._table.arrangement.next_column()
@@ -104,7 +104,7 @@ class TableTools:
     def _group(self) -> None:
         fleet = self._screen.fleet
         if not fleet.arrangement.groups.next(self._screen.navigation.here):
-            self._screen.notices.say("one floor and one link: nothing to group by")
+            self._screen.notices.say(Message("one floor and one link: nothing to group by"))
         self._screen.show_rows(fleet)
 
     def fold(self, head: GroupHead) -> None:
@@ -115,7 +115,7 @@ class TableTools:
 
     def _mark(self) -> None:
         if isinstance(self._table.listing.cursor, GroupHead):
-            self._screen.notices.say("a group can't be marked: mark its robots")
+            self._screen.notices.say(Message("a group can't be marked: mark its robots"))
             return
         self._table.listing.toggle_mark()
         self._screen.show_rows(self._table)
@@ -130,13 +130,13 @@ class TableTools:
         app, say, line = self._screen.app, self._screen.notices.say, self._table.listing.line
         assert isinstance(app, LeanApp)
         if not line:
-            say("nothing to copy")
+            say(Message("nothing to copy"))
         elif app.output.call(clipboard(line)):
             say(copied_text(line))
         elif tries > 1:
             self._screen.set_timer(AGAIN_AFTER, partial(self._copy, tries - 1))
         else:
-            say("not copied: the terminal is not reading")
+            say(Message("not copied: the terminal is not reading"))
 
 
 class FilterLine(Overlay):
@@ -225,12 +225,12 @@ class Outcomes(Static):
         self.border_title = tr("Outcomes")
         self.border_subtitle = tr("marks cleared, Esc closes")
         self._state = state
-        self._told: Sequence[tuple[Command, str]] = ()
+        self._told: Sequence[tuple[Command, Message]] = ()
         self._since = 0.0
         self._ends = math.inf
         self.display = False
 
-    def show(self, told: Sequence[tuple[Command, str]], since: float) -> None:
+    def show(self, told: Sequence[tuple[Command, Message]], since: float) -> None:
         """Show the outcome of each of these commands, sent from `since` (monotonic) on, or the reason that it
         was not sent."""
         self._told = told
@@ -276,8 +276,8 @@ def _record(state: FleetState, command: Command, since: float) -> CommandRecord 
     return next((record for record in found if record.issued_at >= since), None)
 
 
-def _line(state: FleetState, command: Command, problem: str, record: CommandRecord | None) -> str:
+def _line(state: FleetState, command: Command, problem: Message, record: CommandRecord | None) -> str:
     text = command_text(state, command)
     if record is None:
-        return f"{text}: {tr(sanitize(problem)) or tr('sending')}"
-    return f"{text}: {stage_text(record, state.now)}{detail_text(tr(sanitize(record.detail)))}"
+        return f"{text}: {translate(sanitize(problem)) or tr('sending')}"
+    return f"{text}: {stage_text(record, state.now)}{detail_text(translate(sanitize(record.detail)))}"

@@ -9,6 +9,7 @@ from typing import Any
 from fleet_tui.errors import FleetError
 from fleet_tui.simulator.navigating.poses import FRAME
 from fleet_tui.simulator.warehouse import SimFloor, build_building
+from fleet_tui.text.language import Message
 
 Feature = dict[str, Any]
 
@@ -23,7 +24,13 @@ def write_graphs(path: Path, floors: int) -> list[Path]:
             file.parent.mkdir(parents=True, exist_ok=True)
             file.write_text(json.dumps(route_graph(floor), indent=1) + "\n", encoding="utf-8")
     except OSError as error:
-        raise FleetError(f"cannot write {file}: {error.strerror}; choose another --graph-file") from error
+        raise FleetError(
+            Message(
+                "cannot write {file}: {strerror}; choose another --graph-file",
+                file=file,
+                strerror=error.strerror,
+            )
+        ) from error
     return files
 
 

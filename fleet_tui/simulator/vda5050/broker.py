@@ -11,8 +11,9 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from fleet_tui.errors import FleetError
+from fleet_tui.text.language import Message
 
-NO_BROKER = "no broker for the vehicles: apt install mosquitto, or pip install 'fleet-tui[broker]'"
+NO_BROKER = Message("no broker for the vehicles: apt install mosquitto, or pip install 'fleet-tui[broker]'")
 STARTS_WITHIN = 10.0
 _PLACES = "/usr/sbin:/usr/local/sbin:/usr/bin:/usr/local/bin:/opt/homebrew/sbin"
 
@@ -76,7 +77,7 @@ async def _listening(port: int, process: asyncio.subprocess.Process) -> None:
                 await asyncio.sleep(0.02)
     except TimeoutError:
         pass
-    raise FleetError(f"mosquitto did not start on port {port}: choose another --port")
+    raise FleetError(Message("mosquitto did not start on port {port}: choose another --port", port=port))
 
 
 @asynccontextmanager

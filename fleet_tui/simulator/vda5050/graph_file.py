@@ -6,6 +6,7 @@ from typing import Any
 
 from fleet_tui.errors import FleetError
 from fleet_tui.simulator.warehouse import SimFloor, build_building
+from fleet_tui.text.language import Message
 
 _NODE = {"vehicleTypeNodeProperties": [{"vehicleTypeId": "simulated"}]}
 _CHARGER = {
@@ -24,7 +25,9 @@ def write_lif(folder: Path, floors: int) -> list[Path]:
             files.append(folder / f"{floor.name}.lif.json")
             files[-1].write_text(json.dumps(lif_of(floor), indent=1) + "\n", encoding="utf-8")
     except OSError as error:
-        raise FleetError(f"cannot write {files[-1]}: {error.strerror}") from error
+        raise FleetError(
+            Message("cannot write {files}: {strerror}", files=files[-1], strerror=error.strerror)
+        ) from error
     return files
 
 

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 
 from fleet_tui.config.schema import Link
 from fleet_tui.errors import FleetError, LinkError
+from fleet_tui.text.language import Message
 from fleet_tui.transports.mqtt.listener import BrokerListener
 from fleet_tui.transports.mqtt.session import BrokerSession
 from fleet_tui.transports.reasons import refusal
@@ -63,7 +64,7 @@ class BrokerConnection:
 
     def _open_session(self) -> BrokerSession:
         if self._session is None:
-            raise LinkError("no link")
+            raise LinkError(Message("no link"))
         return self._session
 
     async def _run(self) -> None:
@@ -79,7 +80,7 @@ class BrokerConnection:
             self._listener.on_lost(reason, wait)
             await asyncio.sleep(wait)
 
-    async def _attempt(self) -> str:
+    async def _attempt(self) -> Message:
         """Connect once, and return the reason of the end of the connection."""
         session = BrokerSession(self._link, self._client_id, self._listener)
         try:

@@ -2,6 +2,8 @@
 
 from typing import Protocol
 
+from fleet_tui.text.language import Message
+
 
 class BrokerListener(Protocol):
     """Receives the events of a connection. Everything is called on the network loop."""
@@ -12,7 +14,7 @@ class BrokerListener(Protocol):
     def on_open(self) -> None:
         """Subscriptions and messages can be sent."""
 
-    def on_lost(self, reason: str, next_try_in: float) -> None:
+    def on_lost(self, reason: Message, next_try_in: float) -> None:
         """Take the loss of the connection; the next try is in `next_try_in` seconds."""
 
     def on_message(self, topic: str, payload: bytes, retained: bool) -> None:

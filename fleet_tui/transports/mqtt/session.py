@@ -18,6 +18,7 @@ from paho.mqtt.reasoncodes import ReasonCode
 from fleet_tui.config.access import secret
 from fleet_tui.config.schema import Link
 from fleet_tui.errors import LinkError
+from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.transports.mqtt import reasons
 from fleet_tui.transports.mqtt.fed_client import PIECE, FedClient
 from fleet_tui.transports.mqtt.listener import BrokerListener
@@ -51,9 +52,9 @@ class BrokerSession:
         self._link = link
         self._listener = listener
         self._limit = int(link.max_message_mb * 1e6)
-        self._opened: asyncio.Future[str] = asyncio.get_running_loop().create_future()
+        self._opened: asyncio.Future[Message] = asyncio.get_running_loop().create_future()
         """The reason that there is no session, empty if there is one."""
-        self._ended: asyncio.Future[str] = asyncio.get_running_loop().create_future()
+        self._ended: asyncio.Future[Message] = asyncio.get_running_loop().create_future()
         self._asked: dict[int, Sequence[str]] = {}
         """Patterns by the ids of unanswered subscriptions."""
         self._beats: dict[int, float] = {}
@@ -89,7 +90,7 @@ class BrokerSession:
             raise LinkError(reason)
         self._beating = asyncio.ensure_future(self._beat())
 
-    async def ended(self) -> str:
+    async def ended(self) -> Message:
         """Wait for the end of the connection, and return its reason."""
         return await asyncio.shield(self._ended)
 
@@ -102,21 +103,21 @@ class BrokerSession:
         """Subscribe to topics; the answers come one by one. Raises LinkError."""
         code, number = self._client.subscribe([(pattern, 1) for pattern in patterns])
         if code or number is None:
-            raise LinkError("no link")
+            raise LinkError(Message("no link"))
         self._asked[number] = patterns
 
     def unsubscribe(self, patterns: Sequence[str]) -> None:
         """Unsubscribe from topics. Raises LinkError."""
         if self._client.unsubscribe(list(patterns))[0]:
-            raise LinkError("no link")
+            raise LinkError(Message("no link"))
 
     def publish(self, topic: str, payload: bytes) -> None:
         """Send a message now, once at most: nothing repeats it. Raises LinkError."""
         if self._ended.done() or self._client.publish(topic, payload, qos=0).rc:
-            raise LinkError("no link")
+            raise LinkError(Message("no link"))
         self._driver.write()
         if self._ended.done():
-            raise LinkError("no link")
+            raise LinkError(Message("no link"))
         self._listener.on_sent(topic, payload)
 
     def close(self) -> None:
@@ -150,7 +151,7 @@ class BrokerSession:
     def _on_connect(
         self, _client: mqtt.Client, _data: Any, _flags: mqtt.ConnectFlags, code: ReasonCode, _more: Any
     ) -> None:
-        _settle(self._opened, reasons.rejected(code.value, self._link) if code.value else "")
+        _settle(self._opened, reasons.rejected(code.value, self._link) if code.value else EMPTY)
 
     def _on_disconnect(
         self, _client: mqtt.Client, _data: Any, _flags: mqtt.DisconnectFlags, _code: ReasonCode, _more: Any
@@ -199,7 +200,7 @@ class BrokerSession:
             self._listener.on_answer(time.monotonic() - sent_at)
 
 
-def _settle(phase: "asyncio.Future[str]", reason: str) -> None:
+def _settle(phase: "asyncio.Future[Message]", reason: Message) -> None:
     """End a phase, once."""
     if not phase.done():
         phase.set_result(reason)

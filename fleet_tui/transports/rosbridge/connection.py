@@ -20,6 +20,7 @@ import msgspec
 from fleet_tui.config.access import hidden, secret
 from fleet_tui.config.schema import Link
 from fleet_tui.errors import FleetError, LinkError
+from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.transports.loop import network_loop
 from fleet_tui.transports.reasons import refusal
 from fleet_tui.transports.rosbridge.library import comm_asyncio, roslibpy
@@ -54,7 +55,7 @@ class Listener(Protocol):
     def on_open(self) -> None:
         """Frames can be sent."""
 
-    def on_lost(self, reason: str, next_try_in: float) -> None:
+    def on_lost(self, reason: Message, next_try_in: float) -> None:
         """Take the loss of the connection; the next try is in `next_try_in` seconds."""
 
     def on_frame(self, payload: bytes, is_binary: bool) -> None:
@@ -156,7 +157,7 @@ class _Factory(comm_asyncio.AsyncioRosBridgeClientFactory):  # type: ignore[misc
         self.credentials = Credentials(bridge)
         self.listener = listener
         self.limit = int(bridge.max_message_mb * 1e6)
-        self.reason = ""
+        self.reason = EMPTY
         self.read_bytes = 0
         self.fed_at = 0.0
         self._opened_at = 0.0
@@ -264,7 +265,7 @@ class Connection(roslibpy.Ros):  # type: ignore[misc]  # roslibpy has no types
     def _refuse_without_link(self) -> None:
         # After a server's close frame the connection stays open, and accepts nothing, until one side ends it.
         if not self.is_connected or self.factory._proto.state != _Protocol.STATE_OPEN:
-            raise LinkError("no link")
+            raise LinkError(Message("no link"))
 
     def send_on_ready(self, message: Any) -> None:
         """Send like the base, but without a link nothing is queued. Raises LinkError."""

@@ -10,15 +10,15 @@ from fleet_tui.text.language import Message
 from fleet_tui.transports.reasons import DROPS, tls_problem
 
 _STATUSES = {
-    404: "path not found, correct url",
-    407: "proxy in between",
-    502: "rosbridge down behind a web server",
-    503: "rosbridge down behind a web server",
-    504: "rosbridge down behind a web server",
+    404: Message("path not found, correct url"),
+    407: Message("proxy in between"),
+    502: Message("rosbridge down behind a web server"),
+    503: Message("rosbridge down behind a web server"),
+    504: Message("rosbridge down behind a web server"),
 }
 
 
-def failed_handshake(text: str, bridge: Link, lost_by: Exception | None) -> str:
+def failed_handshake(text: str, bridge: Link, lost_by: Exception | None) -> Message:
     """Return the reason that a connection did not become a WebSocket; `text` is autobahn's."""
     if isinstance(lost_by, ssl.SSLError):
         return tls_problem(lost_by, bridge)
@@ -28,32 +28,38 @@ def failed_handshake(text: str, bridge: Link, lost_by: Exception | None) -> str:
     if "handshake timeout" in text:
         return UNANSWERED
     if "peer dropped" in text:
-        remedy = "client_cert required?" if bridge.is_secure else "not rosbridge, or wss://?"
-        return f"{DROPS} {remedy}"
+        remedy = (
+            Message("client_cert required?") if bridge.is_secure else Message("not rosbridge, or wss://?")
+        )
+        return Message("{drops} {remedy}", drops=DROPS, remedy=remedy)
     if "HTTP version" in text:
-        return "a web server, not rosbridge"
+        return Message("a web server, not rosbridge")
     for wrong in ("Sec-WebSocket-Accept", "subprotocol"):
         if wrong in text:
             return Message("not rosbridge: wrong {wrong}", wrong=wrong)
-    return "not rosbridge: no WebSocket"
+    return Message("not rosbridge: no WebSocket")
 
 
-def _http(status: int, bridge: Link) -> str:
+def _http(status: int, bridge: Link) -> Message:
     if status in (401, 403):
         has_one = bridge.authorization_env or bridge.authorization_file
-        remedy = "authorization not accepted" if has_one else "set authorization_file"
-        return Message("access denied (HTTP {status}): {remedy}", status=status, remedy=Message(remedy))
-    words = _STATUSES.get(status, "a web server, not rosbridge")
-    return Message("{words} (HTTP {status})", words=Message(words), status=status)
+        remedy = Message("authorization not accepted") if has_one else Message("set authorization_file")
+        return Message("access denied (HTTP {status}): {remedy}", status=status, remedy=remedy)
+    words = _STATUSES.get(status, Message("a web server, not rosbridge"))
+    return Message("{words} (HTTP {status})", words=words, status=status)
 
 
-def ended(code: int, text: str, bridge: Link, at_once: bool) -> str:
+def ended(code: int, text: str, bridge: Link, at_once: bool) -> Message:
     """Return the reason that an open connection has ended; `at_once`: before any data."""
     if "ping timeout" in text:
         return STOPPED
     if at_once and (bridge.rosauth_env or bridge.rosauth_file):
-        return "closed at once: check the rosauth secret and the clocks"
+        return Message("closed at once: check the rosauth secret and the clocks")
     if at_once and code in (1000, 1005, 1008):
-        return "closed at once: rosauth required (rosauth_file)?"
-    closed = {1000: "closed by the server", 1001: "server shut down", 1012: "server restarting"}
-    return closed.get(code, "connection lost")
+        return Message("closed at once: rosauth required (rosauth_file)?")
+    closed = {
+        1000: Message("closed by the server"),
+        1001: Message("server shut down"),
+        1012: Message("server restarting"),
+    }
+    return closed.get(code, Message("connection lost"))

@@ -3,7 +3,7 @@
 import math
 from typing import NamedTuple
 
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import EMPTY, Message, tr, translate
 from fleet_tui.text.sanitize import cell_width, fit, sanitize
 from fleet_tui.text.units import age
 
@@ -27,7 +27,7 @@ class CameraFacts(NamedTuple):
     size: tuple[int, int] = (0, 0)
     seconds: float | None = None
     rate: str = ""
-    problem: str = ""
+    problem: Message = EMPTY
 
 
 def caption(facts: CameraFacts, width: int) -> tuple[str, bool]:
@@ -50,7 +50,7 @@ def note(facts: CameraFacts) -> str:
         return (
             facts.problem
             if facts.problem.startswith("no ")
-            else tr("no picture: {problem}", problem=tr(facts.problem))
+            else tr("no picture: {problem}", problem=translate(facts.problem))
         )
     if facts.seconds is None:
         return tr("waiting for the first picture")

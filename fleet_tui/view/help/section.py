@@ -5,11 +5,11 @@ from collections.abc import Iterable, Mapping
 from msgspec import Struct
 
 from fleet_tui.keys.key import key_name
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import Message, tr, translate, verbatim
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Run
 
-_RANGES = {"1 2 3 4 5 6 7 8 9": "1..9", "Left Right Up Down": "arrows"}
+_RANGES = {"1 2 3 4 5 6 7 8 9": Message("1..9"), "Left Right Up Down": Message("arrows")}
 
 
 class HelpRow(Struct, frozen=True):
@@ -17,34 +17,34 @@ class HelpRow(Struct, frozen=True):
     of a single character finds it alone."""
 
     mark: tuple[Run, ...]
-    text: str
+    text: Message
     also: tuple[str, ...] = ()
 
 
 class HelpSection(Struct, frozen=True):
     """Rows under a title."""
 
-    title: str
+    title: Message
     rows: tuple[HelpRow, ...]
 
 
 def key_row(
-    ids: Iterable[str], text: str, keys: Mapping[str, tuple[str, ...]], most: int, also: str = ""
+    ids: Iterable[str], text: Message, keys: Mapping[str, tuple[str, ...]], most: int, also: str = ""
 ) -> HelpRow:
     """Return the row of one or more keys, with at most `most` keys of each id. `also`: words that find it."""
     ids = tuple(ids)
     every = [key for id_ in ids for key in keys[id_]]
     names = " ".join(key_name(key) for id_ in ids for key in keys[id_][:most])
     for listed, short in _RANGES.items():
-        names = names.replace(listed, tr(short))
+        names = names.replace(listed, translate(short))
     mark = (names, StyleRole.KEY) if names else (tr("palette"), StyleRole.DIM)
     return HelpRow((mark,), text, (*ids, *every, also))
 
 
 def translated(section: HelpSection) -> HelpSection:
     """Return a section in the language of the user; the words that find a row in English find it still."""
-    rows = (HelpRow(row.mark, tr(row.text), (*row.also, row.text)) for row in section.rows)
-    return HelpSection(tr(section.title), tuple(rows))
+    rows = (HelpRow(row.mark, verbatim(translate(row.text)), (*row.also, row.text)) for row in section.rows)
+    return HelpSection(verbatim(translate(section.title)), tuple(rows))
 
 
 def search(sections: Iterable[HelpSection], wanted: str) -> list[HelpSection]:

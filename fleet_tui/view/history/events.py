@@ -9,7 +9,7 @@ from fleet_tui.model.commands import FAILURES, Stage
 from fleet_tui.model.history.facts import LinkChange, Note
 from fleet_tui.model.history.lives import AlarmLife, PastCommand, PastOrder
 from fleet_tui.text.details import detail_text
-from fleet_tui.text.language import Message, tr
+from fleet_tui.text.language import EMPTY, Message, joined, tr, translate, verbatim
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import age
 
@@ -37,9 +37,9 @@ class PastEvent(Struct, frozen=True):
     ended: float | None
     kind: EventKind
     subject: str
-    what: str
-    outcome: str
-    detail: str = ""
+    what: Message
+    outcome: Message
+    detail: Message = EMPTY
     operator: str = ""
     is_trouble: bool = False
     begun: float | None = None
@@ -55,9 +55,9 @@ class PastEvent(Struct, frozen=True):
         """Return it as a line without its time, which no terminal executes."""
         by = tr(", by {operator}", operator=self.operator) if self.operator else ""
         subject = f"{self.subject} " if self.subject else ""
-        outcome = f": {tr(self.outcome)}" if self.outcome else ""
-        what = self.what if self.kind is EventKind.NOTE else tr(self.what)  # a person's own words
-        return sanitize(f"{subject}{what}{outcome}{detail_text(tr(self.detail))}{by}")
+        outcome = f": {translate(self.outcome)}" if self.outcome else ""
+        what = self.what if self.kind is EventKind.NOTE else translate(self.what)  # a person's own words
+        return sanitize(f"{subject}{what}{outcome}{detail_text(translate(self.detail))}{by}")
 
 
 def past_events(
@@ -73,7 +73,19 @@ def past_events(
         *map(_of_alarm, alarms),
         *map(_of_command, commands),
         *map(_of_link, links),
-        *(PastEvent(note.at, None, EventKind.NOTE, "", note.text, "", "", note.operator) for note in notes),
+        *(
+            PastEvent(
+                note.at,
+                None,
+                EventKind.NOTE,
+                "",
+                verbatim(note.text),
+                EMPTY,
+                EMPTY,
+                note.operator,
+            )
+            for note in notes
+        ),
     ]
     return sorted(events, key=lambda event: event.told_at)
 
@@ -101,15 +113,15 @@ def _of_order(order: PastOrder) -> PastEvent:
     if begun is not None and ended is not None and ended > begun:
         took.append(Message("driven in {age}", age=age(ended - begun)))
     # An order that is done needs no reason.
-    reason = [] if order.stage == DONE or not order.reason else [order.reason]
+    reason = [] if order.stage == DONE or not order.reason else [Message(order.reason)]
     return PastEvent(
         order.queued,
         ended,
         EventKind.ORDER,
         order.robot,
         Message("order {order} {way}", order=order.order, way=order.way),
-        order.stage,
-        ", ".join([*reason, *took]),
+        Message(order.stage),
+        joined(", ", [*reason, *took]),
         order.operator,
         order.stage in TROUBLE,
         begun,
@@ -118,7 +130,9 @@ def _of_order(order: PastOrder) -> PastEvent:
 
 def _of_alarm(alarm: AlarmLife) -> PastEvent:
     over = alarm.returned if alarm.returned is not None else alarm.ended
-    lasted = Message("held {age}", age=age(over - alarm.raised)) if over is not None else "still holds"
+    lasted = (
+        Message("held {age}", age=age(over - alarm.raised)) if over is not None else Message("still holds")
+    )
     if alarm.returned is None and over is not None:
         lasted = Message("end not seen, held at least {age}", age=age(over - alarm.raised))
     seen = (
@@ -132,31 +146,39 @@ def _of_alarm(alarm: AlarmLife) -> PastEvent:
         over,
         EventKind.ALARM,
         alarm.source,
-        Message("{kind} alarm, {text}", kind=Message(alarm.kind), text=Message(alarm.text)),
+        Message("{kind} alarm, {text}", kind=alarm.kind, text=Message(alarm.text)),
         lasted,
-        ", ".join([*times, *seen]),
+        joined(", ", [*times, *seen]),
         alarm.operator,
         True,
     )
 
 
 def _of_command(command: PastCommand) -> PastEvent:
-    what = f"{command.what} {command.way}".rstrip()
+    what = Message(command.what)
     return PastEvent(
         command.at,
         None,
         EventKind.COMMAND,
         command.robot,
-        what,
-        command.stage,
-        command.reason,
+        Message("{what} {way}", what=what, way=command.way) if command.way else what,
+        Message(command.stage),
+        Message(command.reason),
         command.operator,
         command.stage in TROUBLE,
     )
 
 
 def _of_link(link: LinkChange) -> PastEvent:
-    outcome = "up" if link.is_up else "lost"
+    outcome = Message("up") if link.is_up else Message("lost")
     return PastEvent(
-        link.at, None, EventKind.LINK, link.link, "link", outcome, link.reason, "", not link.is_up
+        link.at,
+        None,
+        EventKind.LINK,
+        link.link,
+        Message("link"),
+        outcome,
+        Message(link.reason),
+        "",
+        not link.is_up,
     )

@@ -108,6 +108,6 @@ def places_table(
     others = [floor for floor in floors if floor != selection.floor]
     said = f" {sanitize(selection.floor)}"
     if others:
-        said += tr("; also on {others}: f goes there", others=tr(sanitize(", ".join(others))))
+        said += tr("; also on {others}: f goes there", others=sanitize(", ".join(others)))
     title = ((tr("Places"), StyleRole.TITLE), (said, StyleRole.DIM))
     return Table(title, rows if places else [], empty)

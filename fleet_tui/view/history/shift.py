@@ -9,6 +9,7 @@ from fleet_tui.model.history.totals import BlockedPlace, ChargeTotal
 from fleet_tui.rules.battery.forecast import BatteryForecast
 from fleet_tui.rules.history.division import Division
 from fleet_tui.rules.history.timeline import Timeline
+from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.view.history.events import PastEvent
 
 
@@ -25,4 +26,4 @@ class ShownShift(Struct, frozen=True):
     alarms: Sequence[AlarmLife] = ()
     places: Sequence[BlockedPlace] = ()
     begun: float | None = None
-    problem: str = ""
+    problem: Message = EMPTY

@@ -8,7 +8,7 @@ from fleet_tui.model.history.totals import ChargeTotal
 from fleet_tui.rules.battery.forecast import BatteryForecast
 from fleet_tui.rules.battery.history import BatterySample
 from fleet_tui.rules.history.division import Division
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import tr, translate
 from fleet_tui.text.sanitize import fit, sanitize
 from fleet_tui.text.units import age
 from fleet_tui.view.history.bars import bars_of, legend_of, level
@@ -86,7 +86,7 @@ def alarms_table(shown: ShownShift, words: Sequence[str], clock: Clock, is_ascii
     life."""
     ranked = sorted(_by_alarm(shown), key=lambda one: -sum(_held(life, shown.time) for life in one))
     lives = [one for one in ranked if _has(f"{one[0].kind} {one[0].source} {one[0].text}", words)]
-    names = [f"{tr(one[0].kind)} {one[0].source}" for one in lives]
+    names = [f"{translate(one[0].kind)} {one[0].source}" for one in lives]
     width = column(map(sanitize, names), at_most=2 * NAMES)
     rows = []
     for name, of_one in zip(names, lives, strict=True):
@@ -129,7 +129,7 @@ def _title(name: str, count: str) -> tuple[Run, ...]:
 
 def _empty(shown: ShownShift, words: Sequence[str], nothing: str) -> str:
     if shown.problem:
-        return tr(sanitize(shown.problem))
+        return translate(sanitize(shown.problem))
     return (
         tr("{nothing} with: {words}", nothing=nothing, words=sanitize(" ".join(words)))
         if words

@@ -10,7 +10,7 @@ from fleet_tui.model.set_up.commands import SetUpCommand
 from fleet_tui.rules.commands.batches import TOGETHER, pauses, summary
 from fleet_tui.rules.commands.rivals import rivals_text
 from fleet_tui.text.details import detail_text
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import Message, tr, translate
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import age
 from fleet_tui.view.roles import StyleRole
@@ -46,7 +46,7 @@ def command_text(state: FleetState, command: commands.Command) -> str:
     robot = state.robots[command.robot]
     match command:
         case commands.PlaceOrder(name, stops):
-            return f"{name} {tr(command.text(robot.kind, way(robot, stops)))}"
+            return f"{name} {translate(command.text(robot.kind, way(robot, stops)))}"
         case commands.CancelOrder(name, order_id):
             return tr("{name} cancel order {order_id}", name=name, order_id=sanitize(order_id))
         case commands.ClearOrders(name):
@@ -56,7 +56,7 @@ def command_text(state: FleetState, command: commands.Command) -> str:
         case commands.ResumeRobot(name):
             return tr("{name} resume", name=name)
         case SetUpCommand(name):
-            return f"{name} {tr(command.text)}"
+            return f"{name} {translate(command.text)}"
         case _:
             assert_never(command)
 
@@ -80,11 +80,13 @@ def _group_runs(
         text += tr(" +{records} more", records=len(records) - 1)
     role = StyleRole.ALARM if first.stage in TROUBLE else _ROLES.get(first.stage, StyleRole.DIM)
     # A robot's answer on accepting ("paused") is true only at that moment.
-    detail = "" if first.stage is commands.Stage.ACCEPTED else detail_text(tr(sanitize(first.detail)))
+    detail = "" if first.stage is commands.Stage.ACCEPTED else detail_text(translate(sanitize(first.detail)))
     runs = (text, StyleRole.TEXT), (f": {stage_text(first, state.now)}", role), (detail, StyleRole.DIM)
     others = sanitize(rivals_text(state, first.command.robot))
     return (
-        (*runs, (tr(", also commanded by {others}", others=tr(others)), StyleRole.ACCENT)) if others else runs
+        (*runs, (tr(", also commanded by {others}", others=translate(others)), StyleRole.ACCENT))
+        if others
+        else runs
     )
 
 
@@ -142,12 +144,12 @@ def _batch_runs(state: FleetState, batch: Sequence[commands.CommandRecord]) -> P
         role = StyleRole.ALARM
     else:
         role = StyleRole.GOOD if all(record.is_decided for record in batch) else StyleRole.DIM
-    return (tr(what), StyleRole.TEXT), (f": {tr(detail)}", role)
+    return (translate(what), StyleRole.TEXT), (f": {translate(detail)}", role)
 
 
 def message_line(
     state: FleetState,
-    said: str,
+    said: Message,
     said_at: float,
     width: int,
     key_at: float = -math.inf,
@@ -163,7 +165,7 @@ def message_line(
         parts.append(returned)
         briefs.append(returned)
     if said and _is_news(state, said_at):
-        notice = ((tr(said), StyleRole.DIM if is_hint else StyleRole.WARN),)
+        notice = ((translate(said), StyleRole.DIM if is_hint else StyleRole.WARN),)
         parts.insert(0, notice)
         briefs.insert(0, notice)
     runs = _in_line(parts)
@@ -175,7 +177,7 @@ def _returned(state: FleetState) -> Iterator[Part]:
     for link in state.links.values():
         text = returned_text(state, link)
         if text and state.now - link.since < REMEMBERED:
-            yield ((tr(sanitize(text)), StyleRole.TEXT),)
+            yield ((translate(sanitize(text)), StyleRole.TEXT),)
 
 
 def _in_line(parts: list[tuple[Run, ...]]) -> tuple[Run, ...]:

@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 
 from fleet_tui.keys import PAGES
 from fleet_tui.keys.key import key_name
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import N_, Message, tr, translate
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Run
@@ -20,16 +20,18 @@ def page_runs(names: Sequence[str], shown: int, frozen: str) -> tuple[list[Run],
     return runs, [(frozen, StyleRole.WARN)] if frozen else []
 
 
-def foot_runs(keys: Mapping[str, tuple[str, ...]], page: int, said: str) -> tuple[list[Run], list[Run]]:
+def foot_runs(keys: Mapping[str, tuple[str, ...]], page: int, said: Message) -> tuple[list[Run], list[Run]]:
     """Return the response to the last key, else the keys, at the right."""
     if said:
-        return [(tr(sanitize(said)), StyleRole.WARN)], []
+        return [(translate(sanitize(said)), StyleRole.WARN)], []
     hints: list[tuple[str, str]] = []
     shown = list(PAGES.values())[page - 1]
     if shown.enter:
         hints.append((keys["menu"][0], shown.enter))
     hints += [(keys[id_][0], id_) for id_ in shown.keys if keys[id_]]
-    hints += [(keys[id_][0], word) for id_, word in (("next_page", "page"), ("leave", "back")) if keys[id_]]
+    hints += [
+        (keys[id_][0], word) for id_, word in (("next_page", N_("page")), ("leave", N_("back"))) if keys[id_]
+    ]
     runs: list[Run] = []
     for key, word in hints:
         runs += [(f" {key_name(key)} ", StyleRole.KEY), (f"{tr(word)} ", StyleRole.DIM)]

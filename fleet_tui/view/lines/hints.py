@@ -13,7 +13,7 @@ from fleet_tui.model.link import Phase
 from fleet_tui.model.problem import Right
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.trouble import in_trouble, to_look_at
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import Message, translate
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.alarms import unacknowledged
@@ -111,7 +111,7 @@ def _of_robot(key: Key[Any], alarmed: str) -> Key[Any]:
     """Return a key that names who has the marked alarm, if that is another robot."""
     if key.id != "acknowledge" or not alarmed:
         return key
-    return replace(key, hint=f"{tr(key.hint)} {sanitize(alarmed)}")
+    return replace(key, hint=Message("{hint} {robot}", hint=key.hint, robot=sanitize(alarmed)))
 
 
 def _alarm_first(offered: list[Key[Any]]) -> list[Key[Any]]:
@@ -139,7 +139,7 @@ def _rank(key: Key[Any], pane: Pane) -> tuple[bool, ...]:
 
 def _of_overlay(offered: Collection[Key[Any]], about_robot: bool) -> list[Key[Any]]:
     """Return the keys that work in an overlay."""
-    close = replace(BY_ID["back"], hint="close")
+    close = replace(BY_ID["back"], hint=Message("close"))
     helping = [key for key in offered if key.helps and about_robot]
     helping.sort(key=lambda key: not key.id.startswith(("next_", "previous_")))
     return [close, *helping, *(key for key in offered if key.pane is Pane.ANYWHERE)]
@@ -188,7 +188,7 @@ def _whole(offered: Collection[Key[Any]], keys: Mapping[str, tuple[str, ...]], w
     kept = []
     for key in offered:
         name = key_name(keys[key.id][0])
-        parts = [(f" {name} ", StyleRole.KEY), (f"{tr(key.hint)} ", StyleRole.DIM)]
+        parts = [(f" {name} ", StyleRole.KEY), (f"{translate(key.hint)} ", StyleRole.DIM)]
         width -= width_of(parts)
         if width < 0:
             break

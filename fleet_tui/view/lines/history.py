@@ -4,7 +4,7 @@ from collections.abc import Mapping
 
 from fleet_tui.keys import HISTORY_PAGES
 from fleet_tui.keys.key import key_name
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import N_, Message, tr, translate
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Run, width_of
@@ -12,12 +12,12 @@ from fleet_tui.view.tables.table import Run, width_of
 ALL_FROM = 74
 """Cells from which all pages are named."""
 HINTS = (
-    ("history_replay", "recording"),
-    ("history_filter", "filter"),
-    ("history_next_page", "page"),
-    ("history_earlier", "earlier"),
-    ("history_longer", "longer"),
-    ("history_leave", "back"),
+    ("history_replay", N_("recording")),
+    ("history_filter", N_("filter")),
+    ("history_next_page", N_("page")),
+    ("history_earlier", N_("earlier")),
+    ("history_longer", N_("longer")),
+    ("history_leave", N_("back")),
 )
 
 
@@ -50,11 +50,11 @@ def page_runs(page: int, span: str, until: str, width: int) -> tuple[list[Run], 
     ], time
 
 
-def foot_runs(keys: Mapping[str, tuple[str, ...]], page: str, said: str) -> tuple[list[Run], list[Run]]:
+def foot_runs(keys: Mapping[str, tuple[str, ...]], page: str, said: Message) -> tuple[list[Run], list[Run]]:
     """Return the response to the last key, else the keys, at the right."""
     if said:
-        return [(tr(sanitize(said)), StyleRole.WARN)], []
-    own = [("history_floor", "floor")] if page == "Places" else []
+        return [(translate(sanitize(said)), StyleRole.WARN)], []
+    own = [("history_floor", N_("floor"))] if page == "Places" else []
     runs: list[Run] = []
     for id_, word in [*own, *HINTS]:
         if keys[id_]:

@@ -9,7 +9,7 @@ from fleet_tui.rules.routes.blocked import blocked_edge
 from fleet_tui.rules.routes.impact import CutOrder, closed_on_way, cut_orders
 from fleet_tui.rules.routes.order_draft import DraftRoute
 from fleet_tui.rules.why.reason import mission
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import Message, counted, tr, translate
 from fleet_tui.text.limits import some
 from fleet_tui.text.sanitize import sanitize
 
@@ -20,18 +20,23 @@ MOST_BESIDE = 3
 """Orders that are listed alone, and beside reasons; the number of others follows."""
 
 
-def impact_text(cut: Sequence[CutOrder], may: bool = False) -> str:
+def impact_text(cut: Sequence[CutOrder], may: bool = False) -> Message:
     """Return how many ways an edge cuts, or may cut, and how many orders have no other."""
     if not cut:
-        return tr("cuts the way of no order")
+        return Message("cuts the way of no order")
     lost = sum(one.around is None for one in cut)
-    rest = tr(", {lost} without a detour", lost=lost) if lost else tr(", with a detour")
-    one, many = (
-        ("may cut the way of {cut} order{rest}", "may cut the way of {cut} orders{rest}")
-        if may
-        else ("cuts the way of {cut} order{rest}", "cuts the way of {cut} orders{rest}")
+    rest = Message(", {lost} without a detour", lost=lost) if lost else Message(", with a detour")
+    count = len(cut)
+    if may:
+        return counted(
+            "may cut the way of {count} order{rest}",
+            "may cut the way of {count} orders{rest}",
+            count,
+            rest=rest,
+        )
+    return counted(
+        "cuts the way of {count} order{rest}", "cuts the way of {count} orders{rest}", count, rest=rest
     )
-    return tr(one if len(cut) == 1 else many, cut=len(cut), rest=rest)
 
 
 def draft_text(state: FleetState, robot: Robot, route: DraftRoute) -> str:
@@ -46,7 +51,9 @@ def draft_text(state: FleetState, robot: Robot, route: DraftRoute) -> str:
         )
     closed = closed_on_way(state.desk.closed, robot, route.lines)
     named = some([edge_text(robot, edge.ends) for edge in closed])
-    return tr(sanitize(f"{route.text}; closed: {named}" if closed else route.text))
+    return translate(
+        sanitize(Message("{text}; closed: {named}", text=route.text, named=named) if closed else route.text)
+    )
 
 
 def why_impact(state: FleetState, robot: Robot) -> list[str]:
@@ -72,6 +79,6 @@ def impact_lines(state: FleetState, cut: Sequence[CutOrder], most: int = MOST_SH
     """Yield each order whose way is cut, with its detour, the longest first after those without a way."""
     for one in sorted(cut, key=lambda found: -found.further)[:most]:
         told = mission(state.robots[one.robot], one.order)
-        yield sanitize(f"{one.robot} {tr(told)}: {tr(one.text)}")
+        yield sanitize(f"{one.robot} {translate(told)}: {translate(one.text)}")
     if len(cut) > most:
         yield tr("and {cut} more", cut=len(cut) - most)

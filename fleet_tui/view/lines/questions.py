@@ -12,7 +12,7 @@ from fleet_tui.rules.commands.batches import batch_name
 from fleet_tui.rules.commands.local_queue import all_orders, clearable
 from fleet_tui.rules.commands.newest import is_paused_elsewhere
 from fleet_tui.rules.commands.set_up.losses import set_up_losses
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import counted, tr, translate
 from fleet_tui.text.limits import some
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.commands import command_text
@@ -32,18 +32,19 @@ def losses(state: FleetState, request: Request) -> Iterator[str]:
                 yield from (mission(robot, order) for order in orders if order.id == order_id)
             case ClearOrders(name):
                 orders = clearable(state, robot)
-                yield tr(
-                    "Clear all {orders} order of {name}?"
-                    if len(orders) == 1
-                    else "Clear all {orders} orders of {name}?",
-                    orders=len(orders),
-                    name=name,
+                yield translate(
+                    counted(
+                        "Clear all {count} order of {name}?",
+                        "Clear all {count} orders of {name}?",
+                        len(orders),
+                        name=name,
+                    )
                 )
                 yield from (f"  {sanitize(order.id)}  {mission(robot, order)}" for order in orders[:SHOWN])
                 if len(orders) > SHOWN:
                     yield tr("  and {orders} more", orders=len(orders) - SHOWN)
             case SetUpCommand():
-                yield from map(tr, set_up_losses(state, robot, command))
+                yield from map(translate, set_up_losses(state, robot, command))
             case PlaceOrder() | PauseRobot() | ResumeRobot():
                 pass
             case _:
@@ -53,7 +54,7 @@ def losses(state: FleetState, request: Request) -> Iterator[str]:
 def request_text(state: FleetState, request: Request) -> str:
     first = command_text(state, request.commands[0])
     if len({command.robot for command in request.commands}) > 1:
-        return tr(batch_name(state, request.commands))
+        return translate(batch_name(state, request.commands))
     robot = request.commands[0].robot
     if isinstance(asked := request.commands[0], PlaceOrder) and asked.to_any:
         first = first.removeprefix(f"{robot} ")  # it is not that robot's before it has it
@@ -65,15 +66,13 @@ def request_text(state: FleetState, request: Request) -> str:
 
 
 def question(state: FleetState, request: Request, found: Sequence[Problem]) -> str:
-    against = [tr(sanitize(problem.text)) for problem in found]
+    against = [translate(sanitize(problem.text)) for problem in found]
     lost = list(losses(state, request))
     if lost:
         return "\n".join([*lost, *against])
     told = ", ".join(against)
     ask = (
-        [told if told.endswith("?") else tr("{told}: send anyway?", told=tr(told))]
-        if against
-        else [tr("Send?")]
+        [told if told.endswith("?") else tr("{told}: send anyway?", told=told)] if against else [tr("Send?")]
     )
     resumed = {command.robot for command in request.commands if isinstance(command, ResumeRobot)}
     robots = list(dict.fromkeys(command.robot for command in request.commands))

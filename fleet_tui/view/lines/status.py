@@ -13,7 +13,7 @@ from fleet_tui.rules.sites import alarms_by_site, site_of, sites_of
 from fleet_tui.situation.facts import LATE_LINK
 from fleet_tui.situation.links import LATE_FROM, dead_commands, is_late, withheld
 from fleet_tui.situation.motion import is_moving
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import Message, counted, tr, translate
 from fleet_tui.text.sanitize import cell_width, fit_words, sanitize
 from fleet_tui.text.units import age, duration
 from fleet_tui.view.roles import StyleRole
@@ -27,7 +27,7 @@ STARTING = 2.0
 BLIND_AFTER = 2.0
 HUNG_AFTER = 10.0
 """Seconds without a tick: a busy machine may cause the first, after the second only a restart helps."""
-PAUSED = "PAUSED"
+PAUSED = Message("PAUSED")
 """The end of the note that robots are paused."""
 LEAST = 12
 """Cells below which a note or an address says nothing."""
@@ -46,15 +46,17 @@ def console_notes(state: FleetState, read_only: bool, armed: bool, standstill: f
     # A robot whose kind has no pause drives on: beside it not all are paused.
     robots = len(state.robots)
     paused = (
-        tr("ALL {PAUSED}", PAUSED=tr(PAUSED))
+        tr("ALL {PAUSED}", PAUSED=translate(PAUSED))
         if len(stopped) == robots
-        else tr("{stopped} of {robots} {PAUSED}", stopped=len(stopped), robots=robots, PAUSED=tr(PAUSED))
+        else tr(
+            "{stopped} of {robots} {PAUSED}", stopped=len(stopped), robots=robots, PAUSED=translate(PAUSED)
+        )
     )
     notes = {
         paused: len(stopped) >= min(SEVERAL, max(1, sum(map(state.is_online, able)))),
         tr("read-only"): read_only,
         tr("not armed"): not armed,
-        tr(behind_text(state)): state.behind >= LATE_FROM,
+        translate(behind_text(state)): state.behind >= LATE_FROM,
         _stalled(standstill): standstill > BLIND_AFTER,
     }
     return [note for note, holds in notes.items() if holds]
@@ -90,7 +92,7 @@ def _age_runs(link: LinkState, now: float, address: str) -> Iterator[Run]:
     yield "● ", StyleRole.WARN if late else StyleRole.GOOD
     if late:
         yield (
-            tr("{duration} late: {word} ", duration=duration(link.late), word=tr(LATE_LINK.word)),
+            tr("{duration} late: {word} ", duration=duration(link.late), word=translate(LATE_LINK.word)),
             StyleRole.WARN,
         )
     yield f"{address} ", StyleRole.TEXT
@@ -106,10 +108,10 @@ def _trouble_runs(link: LinkState, now: float, address: str) -> Iterator[Run]:
     if link.phase is not Phase.UP:
         if not link.was_up and now - link.since < STARTING:
             yield f"{address} ", StyleRole.DIM
-            yield tr(sanitize(link.reason)), StyleRole.DIM
+            yield translate(sanitize(link.reason)), StyleRole.DIM
             return
         if link.reason:
-            yield f": {tr(sanitize(link.reason))}", StyleRole.WARN
+            yield f": {translate(sanitize(link.reason))}", StyleRole.WARN
         last = (
             ""
             if link.last_received is None
@@ -122,7 +124,7 @@ def _trouble_runs(link: LinkState, now: float, address: str) -> Iterator[Run]:
         yield tr(" subscribing: {done} of {topics} topics", done=done, topics=link.topics), StyleRole.TEXT
     for fact in (dead_commands(link), withheld(link)):
         if fact is not None:
-            yield f" {tr(sanitize(fact.text))}", StyleRole.ALARM
+            yield f" {translate(sanitize(fact.text))}", StyleRole.ALARM
     if link.faults:
         yield tr(" {faults} bad frames", faults=link.faults), StyleRole.WARN
 
@@ -189,8 +191,7 @@ def _head(state: FleetState, selected: str) -> Iterator[Run]:
     sign, role = ("▲", StyleRole.ALARM) if fresh else ("△", StyleRole.TEXT if alarms else StyleRole.DIM)
     new = tr(" ({fresh} new)", fresh=fresh) if fresh else ""
     yield (
-        tr("{sign} {alarms} alarm" if alarms == 1 else "{sign} {alarms} alarms", sign=sign, alarms=alarms)
-        + new,
+        f"{sign} " + translate(counted("{count} alarm", "{count} alarms", alarms)) + new,
         role,
     )
     if odd := len(to_look_at(state)):
@@ -213,7 +214,8 @@ def _link_tail(state: FleetState, link: LinkState, address: str) -> list[Run]:
 def _by_site(state: FleetState, role: StyleRole) -> Iterator[Run]:
     """Yield the alarms of each site, of several."""
     if found := alarms_by_site(state):
-        told = ", ".join(f"{sanitize(site) or tr('no site')} {count}" for site, count in found.items())
+        elsewhere = tr("no site")
+        told = ", ".join(f"{sanitize(site) or elsewhere} {count}" for site, count in found.items())
         yield f": {told}", role
 
 

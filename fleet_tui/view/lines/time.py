@@ -5,7 +5,7 @@ from enum import IntEnum
 
 from msgspec import Struct
 
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import EMPTY, Message, tr, translate
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import percent
 from fleet_tui.view.roles import StyleRole
@@ -35,7 +35,7 @@ class TimeMark(Struct, frozen=True):
 
     at: float
     kind: MarkKind
-    text: str
+    text: Message
 
 
 class ReplayPosition(Struct, frozen=True):
@@ -53,7 +53,7 @@ class ReplayPosition(Struct, frozen=True):
     is_over: bool = False
     busy: float | None = None
     marks: Sequence[TimeMark] = ()
-    note: str = ""
+    note: Message = EMPTY
     jumps: int = 0
 
 
@@ -111,7 +111,8 @@ def _pace(moment: ReplayPosition) -> str:
         if moment.reached is not None
         else ""
     )
-    return f"{tr('stopped') if moment.paused else tr('playing')} {factor(moment.speed)}{reached}"
+    does = tr("stopped") if moment.paused else tr("playing")
+    return f"{does} {factor(moment.speed)}{reached}"
 
 
 def passed(moment: ReplayPosition) -> TimeMark | None:
@@ -131,9 +132,9 @@ def position_runs(moment: ReplayPosition, clock: Callable[[float], str], width: 
     mark = passed(moment)
     if mark is not None:
         sign, role = MARKS[mark.kind]
-        runs += [(f"{sign} ", role), (f"{tr(sanitize(mark.text))}  ", StyleRole.TEXT)]
+        runs += [(f"{sign} ", role), (f"{translate(sanitize(mark.text))}  ", StyleRole.TEXT)]
     if moment.note:
-        runs.append((tr(sanitize(moment.note)), StyleRole.WARN))
+        runs.append((translate(sanitize(moment.note)), StyleRole.WARN))
     return cut(runs, width) if width_of(runs) > width else tuple(runs)
 
 

@@ -18,7 +18,7 @@ from fleet_tui.rules.why.reason import Reason, Strength, stationary_since
 from fleet_tui.rules.why.robot import moves
 from fleet_tui.rules.why.why import reasons
 from fleet_tui.situation.motion import STANDS_AFTER, says_driving
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import Message, tr, translate
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import age, ago
 from fleet_tui.view.lines.hints import hidden_keys
@@ -41,6 +41,12 @@ ACTS = {
 }
 """The ids of keys for what a class of alarms asks to do."""
 
+STRENGTHS = {
+    Strength.CERTAIN: Message("certain"),
+    Strength.LIKELY: Message("likely"),
+    Strength.POSSIBLE: Message("possible"),
+}
+
 
 def why_lines(
     state: FleetState,
@@ -59,7 +65,7 @@ def why_lines(
     if found and moves(state, robot) == found[0]:
         alarms = [*_alarms(state, robot, keys, hidden), *impact]
         return [
-            f"{tr(sanitize(found[0].name))} ({tr(found[0].evidence)})",
+            f"{translate(sanitize(found[0].name))} ({translate(found[0].evidence)})",
             *alarms,
             *_others(state, robot, keys),
         ]
@@ -74,11 +80,11 @@ def why_lines(
 def _numbered(state: FleetState, robot: Robot, reason: Reason, number: int, is_brief: bool) -> Iterator[str]:
     """Yield a reason and what is known of it, in brief only what to do."""
     mark = "▶" if number == 1 else " "
-    strength = "" if reason.strength is Strength.NONE else f"  ({tr(reason.strength.name.lower())})"
-    yield f"{mark} {number}. {tr(sanitize(reason.name))}{strength}"
-    known = (tr(sanitize(reason.evidence)), _age(state, robot, reason))
+    strength = "" if reason.strength is Strength.NONE else f"  ({translate(STRENGTHS[reason.strength])})"
+    yield f"{mark} {number}. {translate(sanitize(reason.name))}{strength}"
+    known = (translate(sanitize(reason.evidence)), _age(state, robot, reason))
     evidence = "" if is_brief else ", ".join(filter(None, known))
-    yield from (f"    {line}" for line in (evidence, tr(reason.remedy)) if line)
+    yield from (f"    {line}" for line in (evidence, translate(reason.remedy)) if line)
 
 
 def _alarms(
@@ -88,7 +94,11 @@ def _alarms(
     for alarm in state.alarms:
         if alarm.holds and alarm.condition.source == robot.name:
             class_ = class_of(alarm.condition.kind)
-            yield from ("", f"▲ {tr(sanitize(alarm.text))}", f"    {tr(action_of(alarm.condition))}")
+            yield from (
+                "",
+                f"▲ {translate(sanitize(alarm.text))}",
+                f"    {translate(action_of(alarm.condition))}",
+            )
             yield from (f"    {line}" for line in _help_lines(ACTS.get(class_, ()), keys, hidden))
 
 
@@ -108,7 +118,7 @@ def _others(state: FleetState, robot: Robot, keys: Mapping[str, tuple[str, ...]]
 
 def _standing(state: FleetState, robot: Robot, first: Reason) -> str:
     """Return for how long it stands, unless the first reason says since when, and where."""
-    place = tr(sanitize(place_text(robot)))
+    place = translate(sanitize(place_text(robot)))
     seen = (
         f"{place[:1].upper()}{place[1:]}."
         if state.is_fresh(robot, "pose")
@@ -144,7 +154,7 @@ def _age(state: FleetState, robot: Robot, reason: Reason) -> str:
     if reason.since is not None and not is_told:
         parts.append(tr("for {age}", age=age(state.now - reason.since)))
     if reason.seen is not None:
-        parts.append(tr("reported {ago}", ago=tr(ago(reason.seen, state.now))))
+        parts.append(tr("reported {ago}", ago=translate(ago(reason.seen, state.now))))
     return ", ".join(part.replace(" ", UNBROKEN) for part in parts)
 
 
@@ -156,7 +166,7 @@ def _help_lines(
     named = [
         (
             key_name(pressed[0]) if pressed else tr("(palette)"),
-            tr(key.hint).replace(" ", UNBROKEN) or tr(key.text).partition(":")[0],
+            translate(key.hint).replace(" ", UNBROKEN) or translate(key.text).partition(":")[0],
         )
         for pressed, key in shown
     ]

@@ -30,7 +30,7 @@ from fleet_tui.rules.localisation.misplaced import misplaced_text
 from fleet_tui.rules.marks import marks_of
 from fleet_tui.rules.routes.order_draft import Drafted
 from fleet_tui.situation.robots import blocked_robots, obstacle
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import Message, tr, translate
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.map.area import worth_seeing
 from fleet_tui.view.map.mission import blocked_edges, edge_lines, way_of
@@ -42,7 +42,7 @@ BLOCK = 10.0
 EMPTY_RESOLUTION = 0.05
 PATIENCE = 5.0
 """Seconds after a change of the link for which a note is no problem: everything is still arriving."""
-NO_MAP = "no map yet"
+NO_MAP = Message("no map yet")
 JUMP_MARKED = 10.0
 """Seconds for which a robot that its localisation moved is marked."""
 FAR = 1e6
@@ -131,13 +131,13 @@ def _with_map(state: FleetState, floor: Floor, robot_map: RobotMap, scene: Scene
             ),
         )
     if floor.problem:
-        return replace(scene, note=tr(floor.problem))
+        return replace(scene, note=translate(floor.problem))
     if grid is not None:
         return replace(scene, note=tr("map image waiting for map_metadata"))
     live = live_map(state, floor, robot_map)
     if live is not None:
         return replace(scene, grid=live, frame=live.frame)
-    missing = tr(NO_MAP) if robot_map.graph is not None else tr("no map and no graph yet")
+    missing = translate(NO_MAP) if robot_map.graph is not None else tr("no map and no graph yet")
     return replace(scene, frame=frame or scene.frame, note=missing)
 
 
@@ -243,7 +243,9 @@ def floor_scene(state: FleetState, selection: Selection, drafted: Drafted | None
     scene = Scene(floor.name, ground, vertices=vertices, edges=edges, one_way=one_way, at=state.now)
     scene = _with_map(state, floor, robot_map, scene, bool(mapping_text(state.robots[selection.robot])))
     selected = state.robots[selection.robot]
-    notes = [note for note in (_elsewhere(state, selection), scene.note, floor.graph_problem) if note]
+    notes = [
+        note for note in (_elsewhere(state, selection), scene.note, translate(floor.graph_problem)) if note
+    ]
     vertices_of_way, way = way_of(selected, floor.name, drafted)
     placed = _robots(state, selection, scene.frame, floor.grid is not None and floor.tied)
     return replace(
@@ -255,9 +257,9 @@ def floor_scene(state: FleetState, selection: Selection, drafted: Drafted | None
         mission=way,
         closed=edge_lines(robot_map, _closed(state, owner, floor.name)),
         blocked=edge_lines(robot_map, blocked_edges(state, placed)),
-        note=", ".join(map(tr, notes)),
-        elsewhere=tr(trouble_elsewhere(state, floor.name)),
+        note=", ".join(notes),
+        elsewhere=translate(trouble_elsewhere(state, floor.name)),
         waits=state.now - state.links[selected.link].since < PATIENCE
         # Robots of such a kind never send one: that is no news.
-        or (notes == [tr(NO_MAP)] and "map" not in selected.kind.reports),
+        or (notes == [translate(NO_MAP)] and "map" not in selected.kind.reports),
     )

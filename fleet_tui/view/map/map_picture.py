@@ -7,7 +7,7 @@ from functools import lru_cache
 import numpy as np
 
 from fleet_tui.model.geometry import MapFrame
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import Message, tr, translate
 from fleet_tui.text.sanitize import cell_width, fit_words, sanitize
 from fleet_tui.view.map.camera import Camera, scale_bar
 from fleet_tui.view.map.cells import Cells
@@ -116,8 +116,10 @@ def _turn(facts: Caption) -> list[Piece]:
     """Return the rotation of the picture in the world, if any."""
     yaw = facts.frame.origin.yaw
     degrees = round(math.degrees(yaw)) if math.isfinite(yaw) else 0
-    unit = tr(" deg") if facts.drawing is Drawing.ASCII else "°"
-    return [(tr("yaw {degrees}{unit}", degrees=degrees, unit=tr(unit)), StyleRole.DIM)] if degrees else []
+    unit = Message(" deg") if facts.drawing is Drawing.ASCII else Message("°")
+    return (
+        [(tr("yaw {degrees}{unit}", degrees=degrees, unit=translate(unit)), StyleRole.DIM)] if degrees else []
+    )
 
 
 def _bar(facts: Caption) -> str:

@@ -3,9 +3,11 @@
 from collections.abc import Iterator, Mapping
 
 from fleet_tui.model.programs.program import ENDED, ProgramRow, ProgramState
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import N_, tr
 from fleet_tui.text.limits import some
 from fleet_tui.text.sanitize import sanitize
+
+VERBS = {"start": N_("Start"), "stop": N_("Stop"), "restart": N_("Restart")}
 
 
 def change_question(rows: Mapping[str, ProgramRow], name: str, verb: str, now: float) -> str:
@@ -15,9 +17,9 @@ def change_question(rows: Mapping[str, ProgramRow], name: str, verb: str, now: f
     lines = [
         tr(
             "{verb} {name}{where}? It is {value}.",
-            verb=tr(verb.capitalize()),
+            verb=tr(VERBS[verb]),
             name=name,
-            where=tr(where),
+            where=where,
             value=tr(row.state(now).value),
         )
     ]

@@ -3,15 +3,15 @@
 from collections.abc import Callable, Sequence
 
 from fleet_tui.model.programs.program import ProgramRow, ProgramState
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import N_, Message, tr, translate
 from fleet_tui.text.sanitize import fit, sanitize
 from fleet_tui.text.units import age
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import LateRows, Row, Run, Table, column
 
-HERE = "here"
+HERE = Message("here")
 NONE_CONFIGURED = (
-    "No program is configured. In the configuration file, for example:",
+    Message("No program is configured. In the configuration file, for example:"),
     "",
     "  [[programs]]",
     '  name = "bridge"',
@@ -21,7 +21,7 @@ NONE_CONFIGURED = (
     '  name = "mapping"',
     '  start = ["roslaunch", "hall", "mapping.launch"]',
     "",
-    "fleet-tui docs programs has the other keys.",
+    Message("fleet-tui docs programs has the other keys."),
 )
 _LOOKS = {
     ProgramState.RUNNING: ("● ", StyleRole.GOOD),
@@ -38,16 +38,16 @@ def program_table(rows: Sequence[ProgramRow], clock: Callable[[float], str], now
     is of the monotonic clock."""
     title = ((tr("Programs"), StyleRole.TITLE), (tr("  Enter: start, stop, restart, log"), StyleRole.DIM))
     if not rows:
-        told = [line if line.startswith(" ") else tr(line) for line in NONE_CONFIGURED]
+        told = [translate(line) if isinstance(line, Message) else line for line in NONE_CONFIGURED]
         help_rows = [Row(n, ((line, StyleRole.TEXT),)) for n, line in enumerate(told)]
         return Table(((tr("Programs"), StyleRole.TITLE),), help_rows)
     names = column((row.name for row in rows), 7, 16)
-    hosts = column((row.host or tr(HERE) for row in rows), 4, 12)
-    heads = (("program", names), ("host", hosts), ("state", 10), ("since", 11))
+    hosts = column((row.host or translate(HERE) for row in rows), 4, 12)
+    heads = ((N_("program"), names), (N_("host"), hosts), (N_("state"), 10), (N_("since"), 11))
     head = " ".join(
         (
             *(fit(tr(word), cells) for word, cells in heads),
-            f"{tr('restarts'):>8}  {tr('note')}",
+            fit(tr("restarts"), 8, right=True) + "  " + tr("note"),
         )
     )
     shown = [Row(row.name, _runs(row, names, hosts, clock, now)) for row in rows]
@@ -64,36 +64,36 @@ def _runs(
     restarts = status.restarts if is_known and status is not None else None
     return (
         (fit(row.name, names) + " ", StyleRole.TEXT),
-        (fit(row.host or tr(HERE), hosts) + " ", StyleRole.DIM),
+        (fit(row.host or translate(HERE), hosts) + " ", StyleRole.DIM),
         (f"{sign}{tr(state.value):<8} ", role),
         (f"{fit(since, 11)} ", StyleRole.TEXT),
         (f"{'-' if restarts is None else restarts:>8}  ", StyleRole.WARN if restarts else StyleRole.DIM),
-        (note(row, now), StyleRole.ALARM if state is ProgramState.FAILED else StyleRole.TEXT),
+        (translate(note(row, now)), StyleRole.ALARM if state is ProgramState.FAILED else StyleRole.TEXT),
     )
 
 
-def note(row: ProgramRow, now: float) -> str:
+def note(row: ProgramRow, now: float) -> Message:
     """Return what is under way, the reason of a failure, and of an unknown state what was known last."""
     if row.pending:
-        return tr("{pending} is under way ...", pending=tr(row.pending))
+        return Message("{pending} is under way ...", pending=row.pending)
     if row.status is None:
-        return tr("looking ...")
+        return Message("looking ...")
     if row.state(now) is not ProgramState.UNKNOWN:
-        return tr(sanitize(row.status.detail))
+        return sanitize(row.status.detail)
     known = row.last_known
-    before = (
-        tr("{value} {age} ago; ", value=tr(known.state.value), age=age(now - known.at))
-        if known is not None
-        else ""
-    )
     is_late = row.status.state is not ProgramState.UNKNOWN
-    return sanitize(
-        before
-        + (tr("no answer for {age}", age=age(now - row.status.at)) if is_late else tr(row.status.detail))
+    why = (
+        Message("no answer for {age}", age=age(now - row.status.at))
+        if is_late
+        else sanitize(row.status.detail)
     )
+    if known is None:
+        return why
+    was = Message(known.state.value)
+    return Message("{was} {age} ago; {why}", was=was, age=age(now - known.at), why=why)
 
 
-def log_table(name: str, found: Sequence[tuple[int, str]], total: int, wanted: str, note: str) -> Table:
+def log_table(name: str, found: Sequence[tuple[int, str]], total: int, wanted: str, note: Message) -> Table:
     """Return the lines of a program's log, newest last; each has its number as key."""
 
     def row(n: int) -> Row:
@@ -105,6 +105,6 @@ def log_table(name: str, found: Sequence[tuple[int, str]], total: int, wanted: s
     )
     title: list[Run] = [(tr("Log of {name}", name=sanitize(name)), StyleRole.TITLE), (counted, StyleRole.DIM)]
     if note:
-        title.append((f"  {tr(sanitize(note))}", StyleRole.WARN))
-    empty = tr("no matching line") if total else tr(sanitize(note)) or tr("no line yet")
+        title.append((f"  {translate(sanitize(note))}", StyleRole.WARN))
+    empty = tr("no matching line") if total else translate(sanitize(note)) or tr("no line yet")
     return Table(tuple(title), LateRows([number for number, _ in found], row), empty)

@@ -10,7 +10,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.battery.forecast import BatteryForecast
 from fleet_tui.rules.why.complaints import Complaint
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import EMPTY, Message, tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import age
 from fleet_tui.view.robot.sections import (
@@ -53,7 +53,7 @@ class PageContent(Struct, frozen=True):
     curve: Curve | None
     forecast: BatteryForecast | None
     past: Sequence[PastAlarm] = ()
-    note: str = ""
+    note: Message = EMPTY
     complaints: Sequence[Complaint] = ()
 
 

@@ -14,7 +14,7 @@ from fleet_tui.rules.alarms.facilities import listed
 from fleet_tui.rules.routes.remaining import metres_left
 from fleet_tui.rules.why.complaints import Complaint
 from fleet_tui.rules.why.traffic import stops_left
-from fleet_tui.text.language import Message, tr
+from fleet_tui.text.language import Message, tr, translate
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import age
 from fleet_tui.view.roles import StyleRole
@@ -66,7 +66,7 @@ def state_section(state: FleetState, robot: Robot, complaints: Sequence[Complain
 def _state(state: FleetState, robot: Robot, complaints: Sequence[Complaint]) -> Iterator[Line]:
     holding = [one for one in state.alarms if one.holds and one.condition.source == robot.name]
     alarms = [
-        (tr(sanitize(one.text)), StyleRole.ALARM if one.needs_acknowledgement else StyleRole.WARN)
+        (translate(sanitize(one.text)), StyleRole.ALARM if one.needs_acknowledgement else StyleRole.WARN)
         for one in holding
     ]
     does = page_texts(state, robot)
@@ -74,11 +74,11 @@ def _state(state: FleetState, robot: Robot, complaints: Sequence[Complaint]) -> 
     for n, runs in enumerate(
         _packed(with_commas([*does, *(alarms if len(does) == 1 else [])]), STATE - NAME)
     ):
-        yield named("" if n else "State", *runs)
+        yield named("" if n else tr("State"), *runs)
     for one in complaints:
         role = StyleRole.ALARM if one.is_error else StyleRole.WARN
         for n, runs in enumerate(_packed([(sanitize(one.text), role)], STATE - NAME)):
-            yield named("" if n else "Reports", *runs)
+            yield named(tr("") if n else Message("Reports"), *runs)
     yield from value_rows(state, robot, STATE)
     yield from vehicle_rows(state, robot)
 
@@ -103,7 +103,7 @@ def route_section(state: FleetState, robot: Robot) -> PageSection:
     return _titled(
         tr("Route"),
         _route(state, robot),
-        tr("no order begun yet" if robot.orders.open else "no order is driven"),
+        tr("no order begun yet") if robot.orders.open else tr("no order is driven"),
     )
 
 
@@ -111,21 +111,21 @@ def _route(state: FleetState, robot: Robot) -> Iterator[Line]:
     order = robot.orders.current
     if order is None:
         return
-    yield named("Order", (whose_mission(state, robot, order), StyleRole.TEXT))
-    yield named("Stops", (way(robot, stops_left(robot, order)), StyleRole.TEXT))
+    yield named(tr("Order"), (whose_mission(state, robot, order), StyleRole.TEXT))
+    yield named(tr("Stops"), (way(robot, stops_left(robot, order)), StyleRole.TEXT))
     if progress := progress_text(state, robot, order):
-        yield named("Left", (progress, StyleRole.TEXT))
+        yield named(tr("Left"), (progress, StyleRole.TEXT))
         return
     metres = metres_left(robot, order)
     if metres is None or robot.pose is None:
-        yield named("Left", (tr("no way on the graph is known"), StyleRole.DIM))
+        yield named(tr("Left"), (tr("no way on the graph is known"), StyleRole.DIM))
     elif state.is_old(robot, "pose"):
         seen = tr(
             "{metres} m from its pose {age} ago", metres=f"{metres:.0f}", age=age(state.now - robot.pose.at)
         )
-        yield named("Left", (seen, StyleRole.WARN))
+        yield named(tr("Left"), (seen, StyleRole.WARN))
     else:
-        yield named("Left", (tr("{metres} m on the graph", metres=f"{metres:.0f}"), StyleRole.TEXT))
+        yield named(tr("Left"), (tr("{metres} m on the graph", metres=f"{metres:.0f}"), StyleRole.TEXT))
 
 
 def orders_section(state: FleetState, robot: Robot) -> PageSection:
@@ -139,22 +139,22 @@ def orders_section(state: FleetState, robot: Robot) -> PageSection:
 
 def _orders(state: FleetState, robot: Robot) -> Iterator[Line]:
     if robot.queue is not None and state.is_old(robot, "queue"):
-        yield named("Queue", (tr("{age} old", age=age(state.now - robot.queue.at)), StyleRole.WARN))
+        yield named(tr("Queue"), (tr("{age} old", age=age(state.now - robot.queue.at)), StyleRole.WARN))
     waiting = [order for order in robot.orders.open if not robot.orders.is_current(order)]
     for order in waiting[:LAST]:
-        yield named("Waiting", (whose_mission(state, robot, order), StyleRole.TEXT))
+        yield named(tr("Waiting"), (whose_mission(state, robot, order), StyleRole.TEXT))
     if len(waiting) > LAST:
-        yield named("", (tr("and {waiting} more", waiting=len(waiting) - LAST), StyleRole.DIM))
+        yield named(tr(""), (tr("and {waiting} more", waiting=len(waiting) - LAST), StyleRole.DIM))
     yield from ended_rows(state, robot)
 
 
 def alarms_section(
-    state: FleetState, robot: Robot, past: Sequence[PastAlarm], clock: Clock, note: str
+    state: FleetState, robot: Robot, past: Sequence[PastAlarm], clock: Clock, note: Message
 ) -> PageSection:
     """Return the alarms that are listed, and those of this session that are over; `note` is said about
     these."""
     section = _titled(tr("Alarms"), _alarms(state, robot, past, clock), tr("none in this session"))
-    title = (*section.title, (f" {tr(sanitize(note))}", StyleRole.DIM)) if note else section.title
+    title = (*section.title, (f" {translate(sanitize(note))}", StyleRole.DIM)) if note else section.title
     return PageSection(title, section.lines, tr("none now") if note else section.empty)
 
 
@@ -163,9 +163,12 @@ def _alarms(state: FleetState, robot: Robot, past: Sequence[PastAlarm], clock: C
     for alarm in own:
         role = StyleRole.ALARM if alarm.holds and alarm.needs_acknowledgement else StyleRole.TEXT
         since = tr(" since {first_wall}", first_wall=clock(alarm.first_wall))
-        yield ((f"{tr(SIGNS[alarm.stage])} {tr(sanitize(alarm.text))}", role), (since, StyleRole.DIM))
+        yield (
+            (f"{translate(SIGNS[alarm.stage]):<6} {translate(sanitize(alarm.text))}", role),
+            (since, StyleRole.DIM),
+        )
         if alarm.holds:
-            action = tr(action_of(alarm.condition))
+            action = translate(action_of(alarm.condition))
             yield ((f"      {action}", StyleRole.DIM),)
     listed = {alarm.condition.kind for alarm in own if alarm.stage is AlarmStage.RETURNED}
     for over in past[:LAST]:
@@ -173,7 +176,9 @@ def _alarms(state: FleetState, robot: Robot, past: Sequence[PastAlarm], clock: C
             listed.remove(over.kind)
             continue
         times = tr("{began} to {ended}", began=sanitize(over.began), ended=sanitize(over.ended))
-        yield ((tr("  over {times}  {text}", times=times, text=tr(sanitize(over.text))), StyleRole.DIM),)
+        yield (
+            (tr("  over {times}  {text}", times=times, text=translate(sanitize(over.text))), StyleRole.DIM),
+        )
 
 
 def commands_section(state: FleetState, robot: Robot, clock: Clock) -> PageSection:
@@ -186,32 +191,32 @@ def vehicle_rows(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
     if robot.connection is not None:
         known = robot.connection.value
         text = (
-            Message("{text}, VDA 5050 {version}", text=Message(known.text), version=known.version)
+            Message("{text}, VDA 5050 {version}", text=known.text, version=known.version)
             if known.version
             else known.text
         )
-        yield named("Broker", (sanitize(text), StyleRole.WARN if known.is_gone else StyleRole.TEXT))
+        yield named(tr("Broker"), (sanitize(text), StyleRole.WARN if known.is_gone else StyleRole.TEXT))
     if robot.vehicle is not None:
         vehicle = robot.vehicle.value
         role = StyleRole.TEXT if state.is_fresh(robot, "vehicle") else StyleRole.DIM
         rows = (
-            named("Mode", *_run(vehicle.mode.lower(), role)),
-            named("Node", *_run(vehicle.last_node, role)),
-            named("Load", *_run(vehicle.load or "", role)),
-            named("Maps", *_run(", ".join(vehicle.maps), role)),
-            named("Zones", *_run(", ".join(vehicle.zone_sets), role)),
-            named("Charging", *_run(_yes_or_no(vehicle.charging), role)),
-            named("Speed", *_run("" if vehicle.speed is None else f"{vehicle.speed:.2f} m/s", role)),
+            named(tr("Mode"), *_run(vehicle.mode.lower(), role)),
+            named(tr("Node"), *_run(vehicle.last_node, role)),
+            named(tr("Load"), *_run(vehicle.load or "", role)),
+            named(tr("Maps"), *_run(", ".join(vehicle.maps), role)),
+            named(tr("Zones"), *_run(", ".join(vehicle.zone_sets), role)),
+            named(tr("Charging"), *_run(_yes_or_no(vehicle.charging), role)),
+            named(tr("Speed"), *_run("" if vehicle.speed is None else f"{vehicle.speed:.2f} m/s", role)),
         )
         yield from (row for row in rows if row)
     for one in listed(state, robot.link):
         if one.user == robot.name:
-            yield named(one.sort.capitalize(), (sanitize(f"{one.name}: {one.state}"), StyleRole.TEXT))
+            yield named(tr(one.sort.capitalize()), (sanitize(f"{one.name}: {one.state}"), StyleRole.TEXT))
     if robot.master is not None:
         text = Message(
             "{value}, {age} ago", value=Message(robot.master.value), age=age(state.now - robot.master.at)
         )
-        yield named("Master", (sanitize(text), StyleRole.TEXT))
+        yield named(tr("Master"), (sanitize(text), StyleRole.TEXT))
 
 
 def _run(value: str, role: StyleRole) -> tuple[Run, ...]:

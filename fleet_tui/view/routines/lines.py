@@ -8,20 +8,22 @@ from fleet_tui.model.routines.lane import Gate, Lane, LaneNote, LanePhase
 from fleet_tui.model.routines.row import RoutineRow
 from fleet_tui.rules.routines.positions import block_at
 from fleet_tui.rules.routines.timeline import TimelineEntry
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import Message, counted, tr, translate
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import age
 
-HELD = "held"
-PAUSED = "paused"
-WAITING = "waiting"
-RUNNING = "running"
-NEVER = "never run"
+HELD = Message("held")
+PAUSED = Message("paused")
+WAITING = Message("waiting")
+RUNNING = Message("running")
+NEVER = Message("never run")
 
 
 def problem_line(name: str, problem: RoutineProblem) -> str:
     """Return a problem with its place."""
-    return sanitize(tr("{name}, line {line}: {text}", name=name, line=problem.line, text=tr(problem.text)))
+    return sanitize(
+        tr("{name}, line {line}: {text}", name=name, line=problem.line, text=translate(problem.text))
+    )
 
 
 def timeline_lines(entries: Sequence[TimelineEntry]) -> Iterator[str]:
@@ -34,7 +36,7 @@ def timeline_lines(entries: Sequence[TimelineEntry]) -> Iterator[str]:
             notes = ", ".join(part for part in (lasts, entry.note) if part)
             yield sanitize(
                 f"{at:>8}  "
-                + tr("line {line} {text}", line=f"{entry.line:<4}", text=tr(entry.text))
+                + tr("line {line} {text}", line=f"{entry.line:<4}", text=entry.text)
                 + (f" ({notes})" if notes else "")
             )
 
@@ -46,21 +48,24 @@ def timeline_totals(entries: Sequence[TimelineEntry]) -> Iterator[str]:
         last = found[-1]
         how = tr("at least") if last.is_least or last.seconds is None else tr("about")
         ends = _clock(last.at + (last.seconds or 0.0), False)
-        one, many = (
-            "{robot}: {found} instruction, {how} {ends} min",
-            "{robot}: {found} instructions, {how} {ends} min",
+        total = counted(
+            "{robot}: {count} instruction, {how} {ends} min",
+            "{robot}: {count} instructions, {how} {ends} min",
+            len(found),
+            robot=robot,
+            how=how,
+            ends=ends,
         )
-        text = one if len(found) == 1 else many
-        yield sanitize(tr(text, robot=robot, found=len(found), how=how, ends=ends))
+        yield sanitize(translate(total))
 
 
 def _clock(seconds: float, is_least: bool) -> str:
     return f"{'>=' if is_least else ''}{int(seconds) // 60}:{int(seconds) % 60:02}"
 
 
-def lane_word(lane: Lane) -> str:
+def lane_word(lane: Lane) -> Message:
     if lane.is_over:
-        return lane.phase.value
+        return Message(lane.phase.value)
     gates = {Gate.HELD: HELD, Gate.PAUSED: PAUSED}
     return gates.get(lane.gate) or (WAITING if lane.phase is LanePhase.WAITING else RUNNING)
 
@@ -68,28 +73,28 @@ def lane_word(lane: Lane) -> str:
 def lane_text(plan: LanePlan, lane: Lane) -> str:
     """Return the current instruction of a lane, and the reason of a hold or a failure."""
     block = None if lane.is_over else block_at(plan, lane.path)
-    at = tr("line {line}: {text}", line=block.line, text=tr(block.text)) if block is not None else ""
+    at = tr("line {line}: {text}", line=block.line, text=block.text) if block is not None else ""
     goes_on = lane_word(lane) in (HELD, PAUSED) and lane.phase is LanePhase.ORDERED
     shows = lane.has_failed or lane.gate is Gate.HELD
-    parts = (at, tr("its order goes on") * goes_on, tr(lane.detail) if shows else "")
+    parts = (at, tr("its order goes on") * goes_on, translate(lane.detail) if shows else "")
     return sanitize("; ".join(part for part in parts if part))
 
 
 def note_text(note: LaneNote) -> str:
     """Return a change of a lane in words."""
-    where = tr("line {line}: {text}: ", line=note.line, text=tr(note.text)) if note.line else ""
-    return sanitize(f"{where}{note.change}" + (f": {note.detail}" if note.detail else ""))
+    where = tr("line {line}: {text}: ", line=note.line, text=note.text) if note.line else ""
+    return sanitize(where + translate(note.change) + (f": {translate(note.detail)}" if note.detail else ""))
 
 
-def row_word(row: RoutineRow) -> str:
+def row_word(row: RoutineRow) -> Message:
     """Return the state of a routine in the list."""
     if not row.lanes:
         return NEVER
     return HELD if row.is_left else summary_word(row.lanes)
 
 
-def summary_word(lanes: Sequence[Lane]) -> str:
+def summary_word(lanes: Sequence[Lane]) -> Message:
     """Return the state of a whole routine: that which needs a person first."""
     words = [lane_word(lane) for lane in lanes]
-    order = (HELD, "failed", PAUSED, RUNNING, WAITING, "stopped", "done")
-    return next((word for word in order if word in words), "done")
+    order = (HELD, Message("failed"), PAUSED, RUNNING, WAITING, Message("stopped"), Message("done"))
+    return next((word for word in order if word in words), Message("done"))

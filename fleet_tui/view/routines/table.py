@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterator, Sequence
 
 from fleet_tui.model.routines.lane import Lane
 from fleet_tui.model.routines.row import RoutineRow
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import Message, tr, translate
 from fleet_tui.text.sanitize import fit, sanitize
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.routines.lines import (
@@ -20,14 +20,14 @@ from fleet_tui.view.routines.lines import (
 from fleet_tui.view.tables.table import Row, Run, Table, column
 
 NONE_THERE = (
-    "Write one there, for example morning.routine:",
+    Message("Write one there, for example morning.routine:"),
     "",
     "  for robot_0 robot_1",
     "    carry Base Store",
     "    wait until idle",
     "  end",
     "",
-    "fleet-tui docs routines has the other instructions.",
+    Message("fleet-tui docs routines has the other instructions."),
 )
 _LOOKS = {
     RUNNING: ("● ", StyleRole.GOOD),
@@ -50,12 +50,25 @@ def routine_table(rows: Sequence[RoutineRow], folder: str, clock: Callable[[floa
         return Table(
             ((tr("Routines"), StyleRole.TITLE),),
             [
-                Row(n, ((line if line.startswith(" ") else tr(line), StyleRole.TEXT),))
+                Row(
+                    n,
+                    (
+                        (
+                            line
+                            if line.startswith(" ")
+                            else translate(line)
+                            if isinstance(line, Message)
+                            else line,
+                            StyleRole.TEXT,
+                        ),
+                    ),
+                )
                 for n, line in enumerate(text)
             ],
         )
     names = column((name for row in rows for name in (row.name, *(f"  {one}" for one in row.plans))), 7, 18)
-    head = f"{fit(tr('routine'), names)} {fit(tr('state'), 11)} {fit(tr('since'), 11)} {tr('instruction')}"
+    widths = ((tr("routine"), names), (tr("state"), 11), (tr("since"), 11))
+    head = " ".join([*(fit(word, cells) for word, cells in widths), tr("instruction")])
     shown = [one for row in rows for one in _rows(row, names, clock)]
     return Table(title, shown, head=((head, StyleRole.DIM),))
 
@@ -63,14 +76,16 @@ def routine_table(rows: Sequence[RoutineRow], folder: str, clock: Callable[[floa
 def _rows(row: RoutineRow, names: int, clock: Callable[[float], str]) -> Iterator[Row]:
     times = ", ".join(tr("every {time}", time=time) for time in row.times)
     by = (
-        tr("led by {owner}", owner=tr(row.owner))
+        tr("led by {owner}", owner=translate(row.owner))
         if row.owner and not any(lane.is_over for lane in row.lanes)
         else ""
     )
     note = "; ".join(sanitize(part) for part in (by, times) if part)
     role = StyleRole.ALARM if row.problem else StyleRole.DIM
     since = clock(row.at) if row.lanes else "-"
-    yield Row(row.name, _runs(row.name, names, row_word(row), since, tr(sanitize(row.problem)) or note, role))
+    yield Row(
+        row.name, _runs(row.name, names, row_word(row), since, translate(sanitize(row.problem)) or note, role)
+    )
     if not all(lane.is_over for lane in row.lanes):
         for lane in row.lanes:
             yield Row((row.name, lane.robot), _lane(row, lane, names, clock))
@@ -82,17 +97,17 @@ def _lane(row: RoutineRow, lane: Lane, names: int, clock: Callable[[float], str]
     return _runs(f"  {lane.robot}", names, word, clock(lane.since), text, StyleRole.TEXT)
 
 
-def _runs(name: str, names: int, word: str, since: str, note: str, role: StyleRole) -> tuple[Run, ...]:
+def _runs(name: str, names: int, word: Message, since: str, note: str, role: StyleRole) -> tuple[Run, ...]:
     sign, look = _LOOKS[word]
     return (
         (fit(name, names) + " ", StyleRole.TEXT),
-        (fit(f"{sign}{tr(word)}", 11) + " ", look),
+        (fit(f"{sign}{translate(word)}", 11) + " ", look),
         (fit(since, 11) + " ", StyleRole.DIM),
         (note, role),
     )
 
 
-def text_table(title: str, lines: Sequence[str]) -> Table:
+def text_table(title: Message, lines: Sequence[str]) -> Table:
     """Return the lines of a text about a routine."""
-    shown = [Row(n, ((tr(sanitize(line)), StyleRole.TEXT),)) for n, line in enumerate(lines)]
-    return Table(((tr(sanitize(title)), StyleRole.TITLE), (tr("  Esc: back"), StyleRole.DIM)), shown)
+    shown = [Row(n, ((sanitize(line), StyleRole.TEXT),)) for n, line in enumerate(lines)]
+    return Table(((translate(sanitize(title)), StyleRole.TITLE), (tr("  Esc: back"), StyleRole.DIM)), shown)

@@ -11,7 +11,7 @@ from fleet_tui.model.order import natural
 from fleet_tui.rules.alarms.classes import action_of
 from fleet_tui.rules.alarms.floods import is_group
 from fleet_tui.rules.alarms.trouble import to_look_at, urgency
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import N_, Message, counted, tr, translate
 from fleet_tui.text.sanitize import cell_width, fit, folded, sanitize
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.arrangement import RowArrangement, Value
@@ -19,13 +19,21 @@ from fleet_tui.view.tables.fleet_columns import own_names
 from fleet_tui.view.tables.table import LateRows, Row, Run, Table, column
 
 SIGNS = {
-    AlarmStage.UNACKNOWLEDGED: "▲ new ",
-    AlarmStage.RETURNED: "▽ over",
-    AlarmStage.ACKNOWLEDGED: "△ seen",
-    AlarmStage.SHELVED: "◇ shelved",
+    AlarmStage.UNACKNOWLEDGED: Message("▲ new"),
+    AlarmStage.RETURNED: Message("▽ over"),
+    AlarmStage.ACKNOWLEDGED: Message("△ seen"),
+    AlarmStage.SHELVED: Message("◇ shelved"),
 }
-PRIORITIES = {Priority.HIGH: "high  ", Priority.MEDIUM: "medium", Priority.LOW: "low   "}
-SHORT_PRIORITIES = {Priority.HIGH: "high", Priority.MEDIUM: "med ", Priority.LOW: "low "}
+PRIORITIES = {
+    Priority.HIGH: Message("high"),
+    Priority.MEDIUM: Message("medium"),
+    Priority.LOW: Message("low"),
+}
+SHORT_PRIORITIES = {
+    Priority.HIGH: Message("high"),
+    Priority.MEDIUM: Message("med "),
+    Priority.LOW: Message("low "),
+}
 
 
 WITH_PRIORITY = 44
@@ -62,7 +70,7 @@ def _row(
     runs = _signs(alarm, shelf, is_wide, role)
     runs.append((names[alarm.condition.source] + " ", StyleRole.TEXT))
     left = width - 1 - sum(cell_width(text) for text, _ in runs)
-    text = _short(tr(sanitize(alarm.text)), left)
+    text = _short(translate(sanitize(alarm.text)), left)
     since = f" {at if is_wide else at[:HOURS_MINUTES]}"
     # Half a time is none.
     since = since if cell_width(text + since + count) <= left else ""
@@ -91,7 +99,7 @@ def _signs(alarm: Alarm, shelf: str, is_wide: bool, role: StyleRole) -> list[Run
         signs = list(SIGNS.values())[:-1]
         text = f"{_padded(sign, signs)}{shelf} {_padded(PRIORITIES[priority], PRIORITIES.values())}"
     else:
-        text = f"{sign[0]} {tr(SHORT_PRIORITIES[priority])[:SHORT]}{shelf}"
+        text = f"{sign[0]} {translate(SHORT_PRIORITIES[priority])[:SHORT]}{shelf}"
     if alarm.needs_acknowledgement and alarm.holds and alarm.condition.priority is Priority.HIGH:
         chip = text.rstrip()
         return [(chip, StyleRole.ROBOT_ALARM), (text[len(chip) :] + " ", role)]
@@ -99,14 +107,14 @@ def _signs(alarm: Alarm, shelf: str, is_wide: bool, role: StyleRole) -> list[Run
     return [(text + " ", StyleRole.WARN if is_known else role)]
 
 
-def _padded(word: str, others: Iterable[str]) -> str:
+def _padded(word: Message, others: Iterable[Message]) -> str:
     """Return a word in the cells of the longest of its column."""
-    return f"{tr(word.strip()):<{max(cell_width(tr(one.strip())) for one in others)}}"
+    return f"{translate(word):<{max(cell_width(translate(one)) for one in others)}}"
 
 
 def _in_full(row: Row, alarm: Alarm, width: int) -> list[Row]:
     """Return the row of an alarm; if it would be cut, the rest of its text below: at its end is the cause."""
-    text, role = tr(sanitize(alarm.text)), row.runs[-2][1]
+    text, role = translate(sanitize(alarm.text)), row.runs[-2][1]
     head = row.runs[:-2]
     left = width - sum(cell_width(part) for part, _ in head)
     if cell_width(text) <= left:
@@ -124,7 +132,7 @@ def _advice(alarm: Alarm, width: int, whose: str = "") -> list[Row]:
     several."""
     if not alarm.holds or alarm.stage is AlarmStage.SHELVED or width >= UNBOUNDED:
         return []
-    action = tr(action_of(alarm.condition))
+    action = translate(action_of(alarm.condition))
     lines = wrap(whose + action, max(LEAST_REST, width - 1 - REST_AT))
     return [_below(line, StyleRole.TEXT) for line in lines]
 
@@ -172,11 +180,15 @@ def _suppressed(state: FleetState) -> int:
 
 def _values(clock: Callable[[float], str]) -> tuple[Value[Alarm], ...]:
     return (
-        Value("robot", lambda alarm: alarm.condition.source, lambda alarm: natural(alarm.condition.source)),
-        Value("alarm", lambda alarm: tr(alarm.text), lambda alarm: alarm.condition.kind),
-        Value("priority", lambda alarm: tr(PRIORITIES[alarm.condition.priority].strip())),
-        Value("stage", lambda alarm: tr(SIGNS[alarm.stage])[2:].strip()),
-        Value("time", lambda alarm: clock(alarm.shown_wall), lambda alarm: -alarm.shown_wall, is_apart=True),
+        Value(
+            N_("robot"), lambda alarm: alarm.condition.source, lambda alarm: natural(alarm.condition.source)
+        ),
+        Value(N_("alarm"), lambda alarm: translate(alarm.text), lambda alarm: alarm.condition.kind),
+        Value(N_("priority"), lambda alarm: translate(PRIORITIES[alarm.condition.priority])),
+        Value(N_("stage"), lambda alarm: translate(SIGNS[alarm.stage])[2:].strip()),
+        Value(
+            N_("time"), lambda alarm: clock(alarm.shown_wall), lambda alarm: -alarm.shown_wall, is_apart=True
+        ),
     )
 
 
@@ -195,9 +207,8 @@ def _without_alarms(state: FleetState, key: str) -> str:
     found = len(to_look_at(state))
     if not found:
         return tr("all clear")
-    told = tr(
-        "no alarms, {found} robot to look at" if found == 1 else "no alarms, {found} robots to look at",
-        found=found,
+    told = translate(
+        counted("no alarms, {count} robot to look at", "no alarms, {count} robots to look at", found)
     )
     return f"{told} ({key})" if key else told
 

@@ -7,7 +7,7 @@ from typing import Any, Generic, TypeVar
 from msgspec import Struct
 
 from fleet_tui.errors import did_you_mean
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import Message, tr, translate
 from fleet_tui.text.row_filter import filter_terms, is_wanted
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.roles import StyleRole
@@ -15,7 +15,7 @@ from fleet_tui.view.tables.groups import RowGroups
 from fleet_tui.view.tables.table import Run
 
 Item = TypeVar("Item")
-NO_MATCH = "nothing matches the filter: Esc clears it"
+NO_MATCH = Message("nothing matches the filter: Esc clears it")
 """In the place of rows."""
 
 
@@ -109,9 +109,9 @@ class RowArrangement:
         typed = (word.removeprefix("!").partition(":") for word in self.typed.casefold().split())
         unknown = [name for name, colon, _ in typed if colon and name.isalpha() and name not in self.names]
         if not unknown:
-            return tr(NO_MATCH)
-        near = did_you_mean(unknown[0], self.names) or f": {', '.join(self.names)}"
-        return tr("no value {unknown}{near}", unknown=sanitize(unknown[0]), near=tr(near))
+            return translate(NO_MATCH)
+        near = did_you_mean(unknown[0], self.names) or Message(": {names}", names=", ".join(self.names))
+        return tr("no value {unknown}{near}", unknown=sanitize(unknown[0]), near=translate(near))
 
     def notes(self, shown: int) -> list[Run]:
         """Return what the title says of it; `shown` rows are left."""

@@ -8,14 +8,14 @@ from fleet_tui.rules.history.activity import activities
 from fleet_tui.situation.facts import DRIVES_ON
 from fleet_tui.situation.motion import action_text, running_action, stands_with_order
 from fleet_tui.situation.robots import obstacle
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import Message, counted, tr, translate
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import age
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.news import failed_command, listed, news, shortened_news
 from fleet_tui.view.tables.table import Run, width_of
 
-UNKNOWN = "unknown"
+UNKNOWN = Message("unknown")
 OBSTACLE = "obstacle"
 ODD = (OBSTACLE, Activity.BLOCKED.value, Activity.PAUSED.value)
 """Words of what needs a look, as counted."""
@@ -30,7 +30,7 @@ STILL_FROM = 5.0
 
 def word(does: Activity | None) -> str:
     """Return the word for what a robot does, None if nothing fresh tells."""
-    return tr(UNKNOWN if does is None else does.value)
+    return translate(UNKNOWN if does is None else Message(does.value))
 
 
 def doing_text(state: FleetState, robot: Robot, does: Activity | None) -> str:
@@ -52,11 +52,11 @@ def count_word(state: FleetState, robot: Robot, does: Activity | None) -> str:
     return UNKNOWN if does is None else does.value
 
 
-def counted(count: int, one: str) -> str:
+def count_text(count: int, word: str) -> str:
     """Return so many robots of a word: `2 obstacles`, `2 driving`."""
-    if one == OBSTACLE:
-        return tr("{count} obstacle" if count == 1 else "{count} obstacles", count=count)
-    return f"{count} {tr(one)}"
+    if word == OBSTACLE:
+        return translate(counted("{count} obstacle", "{count} obstacles", count))
+    return f"{count} {tr(word)}"
 
 
 def doing_role(state: FleetState, robot: Robot) -> StyleRole:
@@ -86,13 +86,13 @@ def state_texts(state: FleetState, robot: Robot, does: Activity | None, cells: i
 
 
 def _drives_on(texts: list[Run]) -> bool:
-    return any(text == tr(DRIVES_ON.word) for text, _ in texts)
+    return any(text == translate(DRIVES_ON.word) for text, _ in texts)
 
 
 def missing(state: FleetState, robot: Robot) -> str:
     """Return which value of a robot is missing, as far as it is known to do nothing without an order."""
     is_missing_queue = robot.queue is None and robot.kind.expects("queue") and state.is_online(robot)
-    return tr(missing_text(state, robot, "queue")) if is_missing_queue else ""
+    return translate(missing_text(state, robot, "queue")) if is_missing_queue else ""
 
 
 def with_progress(runs: list[Run], progress: str, cells: int) -> list[Run]:

@@ -14,7 +14,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.trouble import acknowledged, by_urgency, shelved, to_look_at
 from fleet_tui.rules.commands.local_queue import all_orders
 from fleet_tui.rules.history.activity import activities
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import N_, tr, translate
 from fleet_tui.text.sanitize import cell_width, fit, fit_words
 from fleet_tui.text.units import age
 from fleet_tui.view.roles import StyleRole
@@ -23,8 +23,8 @@ from fleet_tui.view.tables.doing import (
     CALM,
     ODD,
     UNKNOWN,
+    count_text,
     count_word,
-    counted,
     missing,
     state_texts,
     with_progress,
@@ -175,7 +175,7 @@ def _with_order(
     drives = does is Activity.DRIVING and runs[0][0] == word(does)
     alone = _after_state(order, progress, cells)
     if drives and order and (cells < WITH_WORD or len(told) < len(alone)):
-        return [(alone or order.removesuffix(tr(FOREIGN)), role)]
+        return [(alone or order.removesuffix(translate(FOREIGN)), role)]
     return [*runs, (told, role)]
 
 
@@ -193,11 +193,15 @@ def _after_state(order: str, progress: str, cells: int) -> str:
     """Return an order and its progress where there is no column for them: without whose it is, with less of
     the progress, or not at all, if there is no space."""
     shorter = progress.partition(", ")[0]
-    for text, far in ((order, progress), (order.removesuffix(tr(FOREIGN)), progress), (order, shorter)):
+    for text, far in (
+        (order, progress),
+        (order.removesuffix(translate(FOREIGN)), progress),
+        (order, shorter),
+    ):
         told = "  ".join(part for part in (text, far) if part)
         if cell_width(told) <= cells:
             return told
-    order = order.removesuffix(tr(FOREIGN))
+    order = order.removesuffix(translate(FOREIGN))
     return order if cell_width(order) <= cells else ""
 
 
@@ -217,13 +221,15 @@ def _order_text(state: FleetState, robot: Robot) -> str:
 
 def _values(state: FleetState, done: Mapping[str, Activity]) -> tuple[Value[Robot], ...]:
     return (
-        Value("robot", lambda robot: robot.name, lambda robot: natural(robot.name)),
-        Value("floor", partial(floor_text, state), lambda robot: natural(floor_text(state, robot))),
-        Value("battery", lambda robot: battery_run(state, robot)[0].strip(), _battery_order, is_apart=True),
-        Value("order", partial(_order_text, state), lambda robot: not robot.orders.current),
-        Value("state", partial(_state_text, state, done), partial(_state_order, state, done)),
-        Value("kind", lambda robot: robot.kind.name),
-        Value("link", lambda robot: robot.link),
+        Value(N_("robot"), lambda robot: robot.name, lambda robot: natural(robot.name)),
+        Value(N_("floor"), partial(floor_text, state), lambda robot: natural(floor_text(state, robot))),
+        Value(
+            N_("battery"), lambda robot: battery_run(state, robot)[0].strip(), _battery_order, is_apart=True
+        ),
+        Value(N_("order"), partial(_order_text, state), lambda robot: not robot.orders.current),
+        Value(N_("state"), partial(_state_text, state, done), partial(_state_order, state, done)),
+        Value(N_("kind"), lambda robot: robot.kind.name),
+        Value(N_("link"), lambda robot: robot.link),
     )
 
 
@@ -284,7 +290,7 @@ def fleet_counts(state: FleetState, done: Mapping[str, Activity], width: int) ->
     online = len(robots) - offline
     present: Run = (tr(" {online} of {robots} online", online=online, robots=len(robots)), StyleRole.DIM)
     counts = [
-        (counted(found[one], one), StyleRole.WARN if one in ODD else StyleRole.DIM)
+        (count_text(found[one], one), StyleRole.WARN if one in ODD else StyleRole.DIM)
         for one in COUNTED
         if found[one]
     ]

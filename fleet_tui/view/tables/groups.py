@@ -7,10 +7,10 @@ from typing import NamedTuple
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.history.activity import activities
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import counted, tr, translate
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.doing import ODD, count_word, counted
+from fleet_tui.view.tables.doing import ODD, count_text, count_word
 from fleet_tui.view.tables.fleet_columns import floor_text
 from fleet_tui.view.tables.table import Row, Run
 
@@ -87,16 +87,17 @@ def head_row(state: FleetState, head: GroupHead, is_folded: bool, troubled: Coll
     runs: list[Run] = [
         (FOLDED if is_folded else UNFOLDED, StyleRole.KEY),
         (sanitize(head.name), StyleRole.TITLE),
-        (tr(" {count} robot" if count == 1 else " {count} robots", count=count), StyleRole.DIM),
+        (" " + translate(counted("{count} robot", "{count} robots", count)), StyleRole.DIM),
     ]
     if alarmed:
-        text = " {alarmed} with alarm" if alarmed == 1 else " {alarmed} with alarms"
-        runs.append((tr(text, alarmed=alarmed), StyleRole.ALARM))
+        runs.append(
+            (" " + translate(counted("{count} with alarm", "{count} with alarms", alarmed)), StyleRole.ALARM)
+        )
     if offline:
         runs.append((tr(" {offline} offline", offline=offline), StyleRole.WARN))
     done = activities(state, members) if is_folded else {}
     words = Counter(count_word(state, robot, done.get(robot.name)) for robot in members if is_folded)
     for one in ODD:
         if words[one]:
-            runs.append((f" {counted(words[one], one)}", StyleRole.WARN))
+            runs.append((f" {count_text(words[one], one)}", StyleRole.WARN))
     return Row(head, tuple(runs))

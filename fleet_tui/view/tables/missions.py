@@ -7,7 +7,7 @@ from fleet_tui.model.order import Order, Stop, pose_text, route_text
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.goals import own_ids
 from fleet_tui.rules.commands.local_queue import foreign
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import Message, counted, tr, translate
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import age
 
@@ -18,7 +18,7 @@ def progress_text(state: FleetState, robot: Robot, order: Order) -> str:
     vehicle = robot.vehicle.value if robot.vehicle is not None else None
     if vehicle is not None and robot.orders.is_current(order) and state.is_fresh(robot, "vehicle"):
         left = len(vehicle.nodes_left) + vehicle.horizon
-        return tr("{left} node left" if left == 1 else "{left} nodes left", left=left) if left else ""
+        return translate(counted("{count} node left", "{count} nodes left", left)) if left else ""
     if robot.progress is None or not robot.orders.is_current(order) or not state.is_fresh(robot, "progress"):
         return ""
     reported = robot.progress.value
@@ -36,12 +36,11 @@ def progress_text(state: FleetState, robot: Robot, order: Order) -> str:
             )
         )
     if reported.recoveries:
-        text = "{recoveries} recovery" if reported.recoveries == 1 else "{recoveries} recoveries"
-        parts.append(tr(text, recoveries=reported.recoveries))
+        parts.append(translate(counted("{count} recovery", "{count} recoveries", reported.recoveries)))
     return ", ".join(parts)
 
 
-FOREIGN = " (elsewhere)"
+FOREIGN = Message(" (elsewhere)")
 
 
 def place(robot: Robot, vertex: str) -> str:
@@ -66,9 +65,9 @@ def whose_mission(state: FleetState, robot: Robot, order: Order) -> str:
     by itself that it is this operator's, from another of his consoles, is his own."""
     ours = not robot.kind.keeps_goals or order.is_over or order.id in own_ids(robot.goals)
     ours = ours or order not in foreign(state, robot)
-    return mission(robot, order) + ("" if ours else tr(FOREIGN))
+    return mission(robot, order) + ("" if ours else translate(FOREIGN))
 
 
 def way(robot: Robot, stops: tuple[Stop, ...]) -> str:
     """Return stops by their labels."""
-    return route_text(stops, partial(place, robot)) if stops else tr(route_text((), str))
+    return route_text(stops, partial(place, robot)) if stops else translate(route_text((), str))

@@ -19,7 +19,7 @@ from fleet_tui.situation.motion import moves_despite_pause
 from fleet_tui.situation.navigation import inactive, silent_navigation
 from fleet_tui.situation.robots import absence, adrift, bad_data, drives_on, last_contact, obstacle
 from fleet_tui.situation.vehicles import FINDERS
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import Message, tr, translate
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import age
 from fleet_tui.view.roles import StyleRole
@@ -32,13 +32,13 @@ _NAMES = {name: name for name in AGING} | {"paused": "pause"}
 def _old(state: FleetState, robot: Robot, unheard: Fact | None) -> Iterator[Run]:
     """Yield the old values of a robot that is online, and a missing pose: they must not look live."""
     if is_missing(state, robot, "pose"):
-        yield tr(missing_text(state, robot, "pose")), StyleRole.WARN
+        yield translate(missing_text(state, robot, "pose")), StyleRole.WARN
     for value, name in _NAMES.items():
         if state.is_old(robot, value):
             reading: Reading[object] = getattr(robot, value)
             if value == "pose" and unheard is not None:
                 is_calm = unheard.priority is Priority.LOW
-                yield tr(unheard.short), StyleRole.DIM if is_calm else StyleRole.WARN
+                yield translate(unheard.short), StyleRole.DIM if is_calm else StyleRole.WARN
                 continue
             yield tr("{name} {age} old", name=tr(name), age=age(state.now - reading.at)), StyleRole.WARN
 
@@ -46,13 +46,13 @@ def _old(state: FleetState, robot: Robot, unheard: Fact | None) -> Iterator[Run]
 def _paused(state: FleetState, robot: Robot) -> Run:
     fact = moves_despite_pause(state, robot)
     if fact is not None:
-        return tr(fact.text), StyleRole.ALARM if fact.priority is Priority.HIGH else StyleRole.WARN
+        return translate(fact.text), StyleRole.ALARM if fact.priority is Priority.HIGH else StyleRole.WARN
     if robot.paused is None:
-        return tr(own_pause_text(state, robot)), StyleRole.WARN
+        return translate(own_pause_text(state, robot)), StyleRole.WARN
     return tr("paused") if own_pause(state, robot) else tr("paused (elsewhere)"), StyleRole.WARN
 
 
-def without_cause(alarm: Alarm, text: str) -> str:
+def without_cause(alarm: Alarm, text: Message) -> Message:
     """Return `order A -> B failed` of `order A -> B failed: no path`, another text of an alarm as it is."""
     over = alarm.condition.over
     return over if text.startswith(f"{over}: ") else text
@@ -66,9 +66,12 @@ def failed_command(state: FleetState, robot: Robot, short: bool = False) -> Iter
         if alarm.key in keys and alarm.holds and alarm.stage is not AlarmStage.SHELVED:
             is_of_order = alarm.key == keys[1] or without_cause(alarm, alarm.text) != alarm.text
             if is_of_order and (fact := drives_on(state, robot)) is not None:
-                yield tr(fact.text), StyleRole.ALARM
+                yield translate(fact.text), StyleRole.ALARM
                 continue
-            yield tr("order failed" if short and is_of_order else sanitize(alarm.text)), StyleRole.ALARM
+            yield (
+                translate(Message("order failed") if short and is_of_order else sanitize(alarm.text)),
+                StyleRole.ALARM,
+            )
 
 
 def is_on_its_way(state: FleetState, robot: Robot) -> bool:
@@ -81,9 +84,9 @@ def is_on_its_way(state: FleetState, robot: Robot) -> bool:
 def _absent(state: FleetState, robot: Robot, fact: Fact) -> Run:
     """Return why nothing is known of a robot that is not online."""
     if robot.last_received is not None and is_on_its_way(state, robot):
-        return tr(fact.short), StyleRole.WARN
+        return translate(fact.short), StyleRole.WARN
     is_urgent = fact.kind in (SILENT, BAD_DATA) or robot.name in in_trouble(state)
-    return tr(fact.short), StyleRole.ALARM if is_urgent else StyleRole.DIM
+    return translate(fact.short), StyleRole.ALARM if is_urgent else StyleRole.DIM
 
 
 def news(state: FleetState, robot: Robot) -> Iterator[Run]:
@@ -93,21 +96,21 @@ def news(state: FleetState, robot: Robot) -> Iterator[Run]:
     if unheard is not None and not online:
         yield _absent(state, robot, unheard)
     if (fact := obstacle(state, robot)) is not None:
-        yield tr(fact.text), StyleRole.WARN if robot.name in shelved(state) else StyleRole.ALARM
+        yield translate(fact.text), StyleRole.WARN if robot.name in shelved(state) else StyleRole.ALARM
     yield from _navigation(state, robot)
     yield from _vehicle(state, robot)
     yield from _member(state, robot)
     if state.is_paused(robot) and robot.last_received is not None:
         yield _paused(state, robot)
     if fact is None and (past := last_contact(state, robot)) is not None:
-        yield tr(past.text), StyleRole.DIM
+        yield translate(past.text), StyleRole.DIM
     yield from _ended(state, robot)
     yield from _operators(state, robot)
     if online:
         yield from _old(state, robot, unheard)
     bad = bad_data(state, robot)
     if bad is not None and (unheard is None or unheard.kind is not BAD_DATA):
-        yield tr(bad.short), StyleRole.WARN
+        yield translate(bad.short), StyleRole.WARN
 
 
 def _operators(state: FleetState, robot: Robot) -> Iterator[Run]:
@@ -128,13 +131,13 @@ def _ended(state: FleetState, robot: Robot) -> Iterator[Run]:
 
 def _navigation(state: FleetState, robot: Robot) -> Iterator[Run]:
     if (servers := inactive(state, robot)) is not None:
-        yield tr(servers.text), StyleRole.ALARM
+        yield translate(servers.text), StyleRole.ALARM
     elif (silence := silent_navigation(state, robot)) is not None:
-        yield tr(silence.short), StyleRole.ALARM
+        yield translate(silence.short), StyleRole.ALARM
     if (doubt := uncertain(robot)) is not None:
-        yield tr(doubt.short), StyleRole.WARN
+        yield translate(doubt.short), StyleRole.WARN
     if (estimate := adrift(state, robot)) is not None:
-        yield tr(estimate.short), StyleRole.WARN
+        yield translate(estimate.short), StyleRole.WARN
     if state.is_fresh(robot, "pose") and is_jumping(robot, state.now):
         yield tr("pose jumps"), StyleRole.WARN
     if misplaced_text(state, robot) and state.is_fresh(robot, "pose"):
@@ -150,13 +153,13 @@ def _vehicle(state: FleetState, robot: Robot) -> Iterator[Run]:
             text = sanitize(fact.short)
             is_own_word = fact.kind is FAULT  # the type of an error, by its maker
             is_high = fact.priority is Priority.HIGH
-            yield text if is_own_word else tr(text), StyleRole.ALARM if is_high else StyleRole.WARN
+            yield text if is_own_word else translate(text), StyleRole.ALARM if is_high else StyleRole.WARN
 
 
 def _member(state: FleetState, robot: Robot) -> Iterator[Run]:
     """Yield what the adapter of a fleet reports about a robot."""
     if state.is_online(robot) and robot.member is not None and (text := issue_text(robot.member.value)):
-        yield tr(sanitize(text)), StyleRole.ALARM
+        yield translate(sanitize(text)), StyleRole.ALARM
 
 
 def _short(text: str) -> str:
@@ -171,7 +174,7 @@ def shortened_news(texts: list[Run], cells: int) -> list[Run]:
     """Return the news of a robot, if more would be cut, with the command that failed without what it was (the
     alarm has it), then one word for a pause, and beside others its sign."""
     if width_of(listed(texts)) > cells:
-        whole = tr(INACTIVE.word) + ": "  # its cause says as much, unless that is cut, too
+        whole = translate(INACTIVE.word) + ": "  # its cause says as much, unless that is cut, too
         causes = [(text.removeprefix(whole), role) for text, role in texts]
         texts = [
             cause if width_of([cause]) <= cells else text for text, cause in zip(texts, causes, strict=True)

@@ -10,7 +10,7 @@ from fleet_tui.model.order import Order, OrderState, natural, vertices_of
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.local_queue import all_orders
 from fleet_tui.rules.commands.order_search import find_order
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import N_, Message, counted, tr, translate
 from fleet_tui.text.sanitize import cell_width, fit, sanitize
 from fleet_tui.text.units import age
 from fleet_tui.view.lines.commands import stage_text
@@ -20,10 +20,10 @@ from fleet_tui.view.tables.fleet import CARGO
 from fleet_tui.view.tables.missions import mission, progress_text, whose_mission
 from fleet_tui.view.tables.table import Button, LateRows, Row, Run, Table, column, cut, width_of
 
-CANCEL = "[Cancel]"
-CLEAR = "[Clear all]"
+CANCEL = Message("[Cancel]")
+CLEAR = Message("[Clear all]")
 GAP = "  "
-SHORT = {OrderState.IN_PROCESS: "now"}
+SHORT = {OrderState.IN_PROCESS: Message("now")}
 HOURS_MINUTES = 5
 WIDE = 60
 LEAST_TITLE = 16
@@ -76,10 +76,10 @@ def _leaving(state: FleetState, records: Iterable[CommandRecord]) -> Mapping[tup
 def _mission(mission: str, cells: int, order: Order, space: int) -> tuple[str, str]:
     """Return an order's mission and its state: in columns, close together if space is short, or without
     the state of one in the queue."""
-    status = tr(sanitize(order.state_text))
+    status = translate(sanitize(order.state_text))
     if cells + len(GAP) + cell_width(status) <= space:
         return fit(mission, cells) + GAP, status
-    short = tr(SHORT[order.state]) if order.state in SHORT else status
+    short = translate(SHORT[order.state]) if order.state in SHORT else status
     shown = fit(mission, cells).rstrip()
     if not order.is_over and cell_width(shown) + len(", ") + cell_width(short) > space:
         return shown, ""  # its place in the queue says as much as two letters of it
@@ -99,7 +99,7 @@ def _row(
         (_id(order, ids) + " ", StyleRole.DIM),
     ]
     has_button = may and robot.kind.can(kind.CANCEL) and not order.is_over
-    space = width - 1 - (len(tr(CANCEL)) if has_button else 0)
+    space = width - 1 - (len(translate(CANCEL)) if has_button else 0)
     left = space - has_button - width_of(runs)
     mission, status = _mission(whose_mission(state, robot, order), missions, order, left)
     runs += [(mission, StyleRole.WARN if unknown else StyleRole.TEXT), (status, role)]
@@ -110,8 +110,8 @@ def _row(
     key = (robot.name, order.id, position)
     if not has_button:
         return Row(key, tuple(cut(runs, space)))
-    button = Button(space, space + len(tr(CANCEL)), "cancel")
-    return Row(key, (*cut(runs, space - 1), (" ", role), (tr(CANCEL), StyleRole.KEY)), (button,))
+    button = Button(space, space + len(translate(CANCEL)), "cancel")
+    return Row(key, (*cut(runs, space - 1), (" ", role), (translate(CANCEL), StyleRole.KEY)), (button,))
 
 
 def _id(order: Order, cells: int) -> str:
@@ -134,14 +134,14 @@ def _title(
         (tr("Queue all robots") if all_robots else tr("Queue {name}", name=robot.name), StyleRole.TITLE)
     ]
     if all_robots or (robot.kind.lists_orders and (count or not ours)):
-        runs.append((tr(" {count} order" if count == 1 else " {count} orders", count=count), StyleRole.DIM))
+        runs.append((" " + translate(counted("{count} order", "{count} orders", count)), StyleRole.DIM))
     if ours and robot.held:
-        runs.append((tr(" held: {held}", held=tr(sanitize(robot.held))), StyleRole.WARN))
+        runs.append((tr(" held: {held}", held=translate(sanitize(robot.held))), StyleRole.WARN))
     if placed:
         runs.append((tr(" +{placed} not in the queue yet", placed=placed), StyleRole.WARN))
     if not all_robots and robot.has_cargo:
         texts = (tr(" cargo on board"), tr(" cargo"), f" {CARGO}")
-        left = width - width_of(runs) - len(tr(CLEAR)) - 2
+        left = width - width_of(runs) - len(translate(CLEAR)) - 2
         runs.append((next((text for text in texts if len(text) <= left), texts[-1]), StyleRole.TEXT))
     if not all_robots:
         runs += _ages(state, robot, clock)
@@ -200,10 +200,12 @@ def _rows(
 
 def _values(state: FleetState) -> tuple[Value[Listed], ...]:
     return (
-        Value("robot", lambda entry: entry[0].name, lambda entry: natural(entry[0].name)),
-        Value("id", lambda entry: entry[2].id),
-        Value("order", lambda entry: mission(entry[0], entry[2]), lambda entry: mission(entry[0], entry[2])),
-        Value("state", lambda entry: entry[2].state_text, lambda entry: entry[2].state_text),
+        Value(N_("robot"), lambda entry: entry[0].name, lambda entry: natural(entry[0].name)),
+        Value(N_("id"), lambda entry: entry[2].id),
+        Value(
+            N_("order"), lambda entry: mission(entry[0], entry[2]), lambda entry: mission(entry[0], entry[2])
+        ),
+        Value(N_("state"), lambda entry: entry[2].state_text, lambda entry: entry[2].state_text),
     )
 
 
@@ -229,10 +231,10 @@ def queue_table(
     listing = any(one.kind.lists_orders for one in state.robots.values())
     buttons: tuple[Button, ...] = ()
     if may and not all_robots and rows and robot.kind.can(kind.CLEAR):
-        start = width - len(tr(CLEAR)) - 2  # its end above that of [Cancel]
+        start = width - len(translate(CLEAR)) - 2  # its end above that of [Cancel]
         if start > LEAST_TITLE:
-            title = [*cut(_within(title, start - 1), start - 1), (" " + tr(CLEAR), StyleRole.KEY)]
-            buttons = (Button(start, start + len(tr(CLEAR)), "clear"),)
+            title = [*cut(_within(title, start - 1), start - 1), (" " + translate(CLEAR), StyleRole.KEY)]
+            buttons = (Button(start, start + len(translate(CLEAR)), "clear"),)
     else:
         title = _within(title, width)
     empty = tr("no orders") if all_robots and listing else _empty(robot, may)

@@ -16,7 +16,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.told import told
 from fleet_tui.rules.commands.batches import pauses, summary
 from fleet_tui.rules.commands.order_ends import ended_orders, placed_by, seen_end
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import Message, tr, translate
 from fleet_tui.text.sanitize import cell_width, fit, folded, sanitize
 from fleet_tui.view.lines.commands import TROUBLE, command_text, stage_text
 from fleet_tui.view.roles import StyleRole
@@ -74,21 +74,21 @@ def _links(state: FleetState) -> Iterator[Event]:
 def _connected(state: FleetState) -> Iterator[Event]:
     for link in state.links.values():
         if link.phase is Phase.UP:
-            yield _since(state, link), link.name, partial(_returned, tr("connected"))
+            yield _since(state, link), link.name, partial(_returned, Message("connected"))
 
 
 def _since(state: FleetState, link: LinkState) -> float:
     return state.wall - (state.now - link.since)
 
 
-def _returned(text: str) -> tuple[Run, ...]:
-    return ((tr(sanitize(text)), StyleRole.TEXT),)
+def _returned(text: Message) -> tuple[Run, ...]:
+    return ((translate(sanitize(text)), StyleRole.TEXT),)
 
 
 def _alarm(alarm: Alarm) -> tuple[Run, ...]:
     is_quiet = not alarm.holds or alarm.stage is AlarmStage.SHELVED
     text = without_cause(alarm, told(alarm))  # the alarms pane has that of an order
-    return ((tr(sanitize(text)), StyleRole.DIM if is_quiet else StyleRole.ALARM),)
+    return ((translate(sanitize(text)), StyleRole.DIM if is_quiet else StyleRole.ALARM),)
 
 
 def _commands(state: FleetState) -> Iterator[Event]:
@@ -113,7 +113,7 @@ def _command(state: FleetState, record: CommandRecord) -> tuple[Run, ...]:
 def _batch(state: FleetState, batch: list[CommandRecord]) -> tuple[Run, ...]:
     name, outcome = summary(state, batch)
     worst = next((record.stage for record in batch if record.stage in TROUBLE), batch[0].stage)
-    return _said(f"{tr(name)}: {tr(outcome)}", worst)
+    return _said(f"{translate(name)}: {translate(outcome)}", worst)
 
 
 def _orders(state: FleetState, is_narrow: bool) -> Iterator[Event]:

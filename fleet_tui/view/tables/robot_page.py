@@ -14,7 +14,7 @@ from fleet_tui.rules.why.place import place_text
 from fleet_tui.situation.facts import AGE_UNKNOWN
 from fleet_tui.situation.links import is_late
 from fleet_tui.situation.robots import adrift
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import N_, Message, tr, translate
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import age, duration
 from fleet_tui.view.lines.commands import command_text, stage_text
@@ -38,7 +38,7 @@ def robot_page(state: FleetState, name: str, width: int, clock: Callable[[float]
     """Return the page of a robot for a pane of `width` cells; `clock` formats Unix seconds as local time."""
     robot = state.robots[name]
     rows = [
-        named("State", *with_commas(page_texts(state, robot, width - NAME - 1))),
+        named(tr("State"), *with_commas(page_texts(state, robot, width - NAME - 1))),
         *value_rows(state, robot, width),
         *_alarms(state, robot, width - NAME - 1),
     ]
@@ -56,7 +56,7 @@ def named(name: str, *runs: Run) -> tuple[Run, ...]:
     if not runs:
         return ()
     spaced = [run for one in runs for run in (one, (" ", StyleRole.TEXT))]
-    return ((f"{tr(name):<{NAME}}", StyleRole.DIM), *spaced)
+    return ((f"{name:<{NAME}}", StyleRole.DIM), *spaced)
 
 
 def _alarms(state: FleetState, robot: Robot, width: int) -> Iterator[tuple[Run, ...]]:
@@ -64,12 +64,12 @@ def _alarms(state: FleetState, robot: Robot, width: int) -> Iterator[tuple[Run, 
     own = [one for one in state.alarms if one.holds and one.condition.source == robot.name]
     for alarm in own:
         if len(state.alarms) <= FEW:
-            yield named("Alarm", (tr(sanitize(without_cause(alarm, alarm.text))), StyleRole.TEXT))
+            yield named(tr("Alarm"), (translate(sanitize(without_cause(alarm, alarm.text))), StyleRole.TEXT))
             continue
-        for n, line in enumerate(wrap(tr(sanitize(alarm.text)), max(20, width))):
-            yield named("" if n else "Alarm", (line, StyleRole.TEXT))
-        for line in wrap(tr(action_of(alarm.condition)), max(20, width)):
-            yield named("", (line, StyleRole.DIM))
+        for n, line in enumerate(wrap(translate(sanitize(alarm.text)), max(20, width))):
+            yield named(tr("") if n else Message("Alarm"), (line, StyleRole.TEXT))
+        for line in wrap(translate(action_of(alarm.condition)), max(20, width)):
+            yield named(tr(""), (line, StyleRole.DIM))
 
 
 def value_rows(state: FleetState, robot: Robot, width: int) -> Iterator[tuple[Run, ...]]:
@@ -78,31 +78,32 @@ def value_rows(state: FleetState, robot: Robot, width: int) -> Iterator[tuple[Ru
     is_narrow = width <= NAME + VALUE + AGE
     cells = VALUE - 2 if is_narrow else VALUE
     texts: dict[str, tuple[str, Reading[Any] | None]] = {
-        "pose": (_pose_text(state, robot, is_narrow), robot.pose),
-        "battery": (_percent(robot.battery), robot.battery),
-        "cargo": (_yes_or_no(robot.cargo), robot.cargo),
-        "obstacle": (_contact(robot.obstacle), robot.obstacle),
-        "paused": (_yes_or_no(robot.paused), robot.paused),
+        N_("Pose"): (_pose_text(state, robot, is_narrow), robot.pose),
+        N_("Battery"): (_percent(robot.battery), robot.battery),
+        N_("Cargo"): (_yes_or_no(robot.cargo), robot.cargo),
+        N_("Obstacle"): (_contact(robot.obstacle), robot.obstacle),
+        N_("Paused"): (_yes_or_no(robot.paused), robot.paused),
     }
     link = state.links[robot.link]
     late = link.late if is_late(link) else 0.0
-    for value, (text, reading) in texts.items():
+    for name, (text, reading) in texts.items():
+        value = name.casefold()
         if value not in robot.kind.reports:
             continue
         if reading is None:
-            yield named(value.capitalize(), (tr("not received"), StyleRole.DIM))
+            yield named(tr(name), (tr("not received"), StyleRole.DIM))
             continue
         is_old = not state.is_fresh(robot, value)
         since = _since(state.now - reading.at + (value != "pose") * late, is_narrow)
         if value == "pose" and robot.is_undated:
-            since = tr(AGE_UNKNOWN.word)
+            since = translate(AGE_UNKNOWN.word)
         if value == "pose" and (estimate := adrift(state, robot)) is not None:
             # Its wheels renew it: what counts is when it was last localised.
             since = _since(state.now - estimate.since, is_narrow)
             is_old = True
         age_role = StyleRole.WARN if is_old or late else StyleRole.DIM
         yield named(
-            value.capitalize(),
+            tr(name),
             (f"{text:<{cells}}", StyleRole.DIM if is_old else StyleRole.TEXT),
             # In whole seconds: tenths would never be at rest.
             (since, age_role),
@@ -117,13 +118,13 @@ def _since(seconds: float, is_narrow: bool) -> str:
 def _place(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
     """Yield the place it is at, its mode, and the last jump of its pose."""
     if place := place_text(robot):
-        yield named("Place", (tr(sanitize(place)), StyleRole.TEXT))
+        yield named(tr("Place"), (translate(sanitize(place)), StyleRole.TEXT))
     if robot.member is not None and (mode := robot.member.value.mode or robot.member.value.status):
         role = StyleRole.TEXT if state.is_fresh(robot, "member") else StyleRole.DIM
-        yield named("Mode", (tr(sanitize(mode)), role))
+        yield named(tr("Mode"), (translate(sanitize(mode)), role))
     if robot.relocated is not None:
         yield named(
-            "Jumped",
+            Message("Jumped"),
             (f"{sanitize(robot.relocated.value):<{VALUE}}", StyleRole.TEXT),
             (tr("{age} ago", age=age(state.now - robot.relocated.at)), StyleRole.DIM),
         )
@@ -163,7 +164,7 @@ def _orders(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
     if current is not None:
         progress = progress_text(state, robot, current)
         text = whose_mission(state, robot, current) + (f", {progress}" if progress else "")
-        yield named("Order", (text, StyleRole.TEXT))
+        yield named(tr("Order"), (text, StyleRole.TEXT))
     yield from ended_rows(state, robot)
 
 
@@ -174,9 +175,9 @@ def ended_rows(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
         end = seen_end(state, robot, gone).stage
         role = StyleRole.WARN if end in FAILURES else StyleRole.TEXT
         ended = tr("{age} ago", age=age(state.now - gone.at)), StyleRole.DIM
-        yield named("Ended", (f"{text}: {tr(end.value)}", role), ended)
+        yield named(tr("Ended"), (f"{text}: {tr(end.value)}", role), ended)
         if gone is robot.gone[-1] and (remedy := ORDER_ENDS[end].remedy):
-            yield named("", (tr(remedy), StyleRole.TEXT))
+            yield named(tr(""), (translate(remedy), StyleRole.TEXT))
 
 
 def command_rows(state: FleetState, robot: Robot, clock: Callable[[float], str]) -> Iterator[tuple[Run, ...]]:

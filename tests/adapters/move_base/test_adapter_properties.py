@@ -15,6 +15,7 @@ from fleet_tui.model.events import CommandAdvanced, CommandIssued
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import at_vertices
 from fleet_tui.state.reducer import apply
+from fleet_tui.text.language import Message
 from tests.support.any_frames import assert_each_order_once, facts
 from tests.support.fleets import R0, T0, fleet, graph, link_up, reduced, tick
 
@@ -63,7 +64,9 @@ def begun(*vertices: str) -> FleetState:
     robots = {R0: msgspec.structs.replace(state.robots[R0], kind=ADAPTER.kind)}
     state = reduced(msgspec.structs.replace(state, robots=robots), link_up(T0), graph(1, 2, 3), tick(T0))
     order = PlaceOrder(R0, at_vertices(*vertices))
-    return reduced(state, CommandIssued(7, order, T0, T0), CommandAdvanced(7, Stage.SENT, T0, "", OURS))
+    return reduced(
+        state, CommandIssued(7, order, T0, T0), CommandAdvanced(7, Stage.SENT, T0, Message(""), OURS)
+    )
 
 
 @given(st.lists(FRAMES | st.none(), max_size=14))

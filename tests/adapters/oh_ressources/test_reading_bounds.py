@@ -17,6 +17,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath
 from fleet_tui.state.reducer import apply
 from fleet_tui.text import limits as bounds
+from fleet_tui.text.language import verbatim
 from fleet_tui.view.map.floor_scene import floor_scene
 from fleet_tui.view.selection import Selection
 from fleet_tui.view.tables.alarms import alarm_table
@@ -148,13 +149,13 @@ def test_no_text_from_outside_is_kept_longer_than_its_bound() -> None:
     state = reduced(
         fleet(),
         link_up(T0),
-        events.MessageRejected(R0, MEGABYTE),
+        events.MessageRejected(R0, verbatim(MEGABYTE)),
         events.FrameRejected(LINK, MEGABYTE),
-        events.CommandPathChanged(LINK, CommandPath.DEAD, MEGABYTE),
-        events.FloorMapLoaded(F0, None, MEGABYTE),
+        events.CommandPathChanged(LINK, CommandPath.DEAD, verbatim(MEGABYTE)),
+        events.FloorMapLoaded(F0, None, verbatim(MEGABYTE)),
         command,
         events.CommandAdvanced(1, Stage.SENT, T0),
-        events.CommandAdvanced(1, Stage.REFUSED, T0, MEGABYTE),
+        events.CommandAdvanced(1, Stage.REFUSED, T0, verbatim(MEGABYTE)),
         tick(T0),
         link_lost(T0, MEGABYTE),
         tick(T0 + 60),

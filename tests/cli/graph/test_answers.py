@@ -6,13 +6,14 @@ import pytest
 from fleet_tui.cli.graph.answers import GraphAnswers, answered
 from fleet_tui.errors import GraphError
 from fleet_tui.graph_files.graph_file import MissingChoiceError
+from fleet_tui.text.language import Message
 
 
 def make(given: GraphAnswers) -> str:
     if given.building_graph is None:
-        raise MissingChoiceError("several graphs", "--building-graph", ("0", "3"))
+        raise MissingChoiceError(Message("several graphs"), "--building-graph", ("0", "3"))
     if not given.vehicle_type:
-        raise MissingChoiceError("a vehicle type", "--vehicle-type")
+        raise MissingChoiceError(Message("a vehicle type"), "--vehicle-type")
     return f"{given.building_graph} {given.vehicle_type}"
 
 

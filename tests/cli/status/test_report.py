@@ -4,6 +4,7 @@ from fleet_tui.cli.status.report import changes, report
 from fleet_tui.model.events import ObstacleReported
 from fleet_tui.model.fleets.events import FacilityReported
 from fleet_tui.model.fleets.facility import LANES, LIFT, Facility
+from fleet_tui.text.language import Message
 from tests.support.fleets import (
     R0,
     T0,
@@ -25,7 +26,7 @@ def test_json_has_no_key_for_what_a_kind_never_tells_and_null_for_what_has_not_c
 
 
 def test_facilities_have_their_age_which_alone_is_no_change() -> None:
-    lift = Facility(LIFT, "a", T0, "at L1", user=R0)
+    lift = Facility(LIFT, "a", T0, Message("at L1"), user=R0)
     told = [lift, Facility(LANES, "tiny", T0, closed=("2", "5"))]
     before = reduced(rmf_fleet(), *(FacilityReported(R0, T0, one) for one in told), tick(T0 + 1))
     after = reduced(before, tick(T0 + 20))
@@ -36,5 +37,5 @@ def test_facilities_have_their_age_which_alone_is_no_change() -> None:
         | {"closed": ["2", "5"], "age_s": 20.0},
     ]
     assert "links" not in changes(report(before), report(after)).get("changed", {})
-    moved = reduced(after, FacilityReported(R0, T0 + 20, Facility(LIFT, "a", T0 + 20, "at L2")))
+    moved = reduced(after, FacilityReported(R0, T0 + 20, Facility(LIFT, "a", T0 + 20, Message("at L2"))))
     assert "links" in changes(report(after), report(moved))["changed"]

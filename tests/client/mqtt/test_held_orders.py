@@ -22,6 +22,7 @@ from fleet_tui.model.set_up.commands import StartCharging
 from fleet_tui.model.vehicles.vehicle import Vehicle
 from fleet_tui.rules.commands.checks import problems
 from fleet_tui.rules.commands.local_queue import all_orders, hold_all
+from fleet_tui.text.language import Message
 from tests.support.broker import RealBroker, broker_in
 from tests.support.links import finished, linked
 from tests.support.nav2_site import keeping, record_of
@@ -297,7 +298,7 @@ async def test_disarming_ends_an_order_that_waits(site: HeldOrderSite) -> None:
     await charging(store, vehicle)
     order = link.submit(ORDER)
     await vehicle.next("instantActions")
-    for hold in hold_all(store.state, "this console is not armed"):
+    for hold in hold_all(store.state, Message("this console is not armed")):
         link.post(hold)
     vehicle.say()
     await store.until(lambda state: record_of(state, order).is_decided)
@@ -485,7 +486,7 @@ async def test_a_charge_does_not_begin_without_its_order_or_after_disarming(
     async with on_its_way_to_a_charge(broker, tmp_path) as ((vehicle, link, store), order, charge):
         match event:
             case "disarmed":
-                for hold in hold_all(store.state, "this console is not armed"):
+                for hold in hold_all(store.state, Message("this console is not armed")):
                     link.post(hold)
             case "failed":
                 vehicle.say(orderId=order, errors=[error("FATAL", orderId=order)])

@@ -10,6 +10,7 @@ import pytest
 from fleet_tui.adapters.ros.operations import ServiceResponse
 from fleet_tui.client.rosbridge.calls import OWN_WORD, Calls, LinkLostError, NoAnswerError, rosapi_places
 from fleet_tui.errors import LinkError
+from fleet_tui.text.language import Message
 from fleet_tui.transports.rosbridge.connection import Connection
 
 
@@ -22,7 +23,7 @@ class Sent:
 
     def send(self, payload: bytes) -> None:
         if not self.is_up:
-            raise LinkError("no link")
+            raise LinkError(Message("no link"))
         self.frames.append(json.loads(payload))
 
 

@@ -9,6 +9,7 @@ from fleet_tui.adapters.ros.operations import ServiceResponse
 from fleet_tui.client.rosbridge.calls import Calls, rosapi_places
 from fleet_tui.client.rosbridge.rosapi import topic_types
 from fleet_tui.errors import LinkError
+from fleet_tui.text.language import Message
 from fleet_tui.transports.rosbridge.connection import Connection
 
 
@@ -22,7 +23,7 @@ class LostConnection:
     """A connection without a link."""
 
     def send(self, _payload: bytes) -> None:
-        raise LinkError("no link")
+        raise LinkError(Message("no link"))
 
 
 @pytest.mark.parametrize(

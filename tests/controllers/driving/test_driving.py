@@ -15,6 +15,7 @@ from fleet_tui.model.kind import DRIVE
 from fleet_tui.model.problem import Permissions
 from fleet_tui.model.set_up.driving import STILL, DrivePhase, DriveState
 from fleet_tui.rules.driving.hold import TAP
+from fleet_tui.text.language import Message
 from fleet_tui.view.map.viewport import Viewport
 from fleet_tui.widgets.map_view import MapView
 from tests.support.desk import Desk, StubDrive
@@ -88,7 +89,7 @@ def test_a_declared_timeout_needs_no_question_and_the_map_follows_the_robot() ->
 
 def test_the_end_of_the_last_drive_is_not_told_in_the_next() -> None:
     it = Bench().began()
-    it.drives.end("someone else drives")
+    it.drives.end(Message("someone else drives"))
     assert "is not driven any more" in it.desk.notices.text
     it.began()
     assert it.desk.notices.text == "robot_0 drives while a key is held; this is not an emergency stop"
@@ -157,7 +158,7 @@ def test_sideways_needs_a_robot_that_can() -> None:
 
 
 def ended(it: Bench) -> None:
-    it.drive.state = DriveState(DrivePhase.ENDED, reason="someone else drives")
+    it.drive.state = DriveState(DrivePhase.ENDED, reason=Message("someone else drives"))
 
 
 def ordered(it: Bench) -> None:

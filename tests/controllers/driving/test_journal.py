@@ -3,6 +3,7 @@
 from fleet_tui.controllers.driving.driving import DriveJournal
 from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.model.set_up.driving import Speeds
+from fleet_tui.text.language import Message
 
 
 class Written:
@@ -22,7 +23,7 @@ def test_a_drive_is_written_with_its_reason_its_seconds_and_its_most_speed() -> 
     journal.begin("robot_0", 10.0)
     for speeds in (Speeds(0.1), Speeds(-0.2, 0.0, -0.5), Speeds()):
         journal.sent(speeds)
-    journal.end("lag", 22.0)
+    journal.end(Message("lag"), 22.0)
     assert written.lines == [
         ("drive begun", "robot_0"),
         ("drive ended", "robot_0: lag, after 12 s, at most 0.20 m/s and 0.50 rad/s"),
@@ -32,4 +33,4 @@ def test_a_drive_is_written_with_its_reason_its_seconds_and_its_most_speed() -> 
 def test_without_an_audit_log_nothing_fails() -> None:
     journal = DriveJournal(ConsoleFiles())
     journal.begin("robot_0", 0.0)
-    journal.end("left", 1.0)
+    journal.end(Message("left"), 1.0)

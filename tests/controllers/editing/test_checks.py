@@ -5,6 +5,7 @@ from typing import Any
 
 from fleet_tui.controllers.editing.checks import DraftChecks, counts_text, short_counts
 from fleet_tui.rules.graphs.finding import GraphFinding
+from fleet_tui.text.language import EMPTY
 from tests.support.drawn_graph import DrawnGraph, drawn_graph
 
 
@@ -80,7 +81,7 @@ async def test_one_check_runs_at_a_time_and_the_newest_draft_is_checked_after_it
 
 
 def test_counts_are_words() -> None:
-    error, warning = GraphFinding("a", "", True), GraphFinding("b", "", False)
+    error, warning = GraphFinding("a", EMPTY, True), GraphFinding("b", EMPTY, False)
     assert counts_text((error, warning, warning)) == "1 error, 2 warnings"
     assert counts_text(()) == ""
     assert short_counts((error, warning, warning)) == "1E 2W" and short_counts((warning,)) == "1W"

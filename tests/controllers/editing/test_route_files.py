@@ -15,6 +15,7 @@ from fleet_tui.model.graphs.document import DocumentEdge
 from fleet_tui.model.graphs.draft import Change
 from fleet_tui.model.kind import GRAPH
 from fleet_tui.model.set_up.commands import SendGraph
+from fleet_tui.text.language import Message
 from tests.support.desk import ready
 from tests.support.drawn_graph import DrawnGraph, drawn_graph
 from tests.support.fleets import F0, R0, T0, of_kinds
@@ -61,7 +62,7 @@ def ends(it: DrawnGraph, command: SendGraph, *stages: Stage) -> str:
     number = len(store.state.commands) + 1
     store.apply(CommandIssued(number, command, T0, 0.0))
     for stage in stages:
-        store.apply(CommandAdvanced(number, stage, T0 + 1, ""))
+        store.apply(CommandAdvanced(number, stage, T0 + 1, Message("")))
     return it.desk.notices.text
 
 
@@ -110,7 +111,7 @@ async def test_drawn_elements_have_ids_that_the_file_can_have(tmp_path: Path) ->
 
 async def test_ids_that_the_file_can_not_have_are_a_step_of_the_draft(tmp_path: Path) -> None:
     async with drawn(tmp_path) as it:
-        it.editor.do(Change("as live", edges=((None, DocumentEdge("1", "1", "3")),)))
+        it.editor.do(Change(Message("as live"), edges=((None, DocumentEdge("1", "1", "3")),)))
         before = it.floor
         command = sent(it)
         assert not it.floor.edges.keys() & it.floor.vertices.keys()
@@ -212,7 +213,7 @@ async def test_nothing_is_sent_with_a_configuration_that_somebody_else_could_hav
     tmp_path: Path,
 ) -> None:
     async with drawn(tmp_path) as it:
-        it.sending.doubt = "config.toml is not owned by ana"
+        it.sending.doubt = Message("config.toml is not owned by ana")
         it.sending.start()
         assert it.desk.notices.text == "not sent: config.toml is not owned by ana"
         assert not it.desk.menus and not it.desk.backend.submitted

@@ -10,6 +10,7 @@ import pytest
 from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.controllers.history.controls import NO_HISTORY, SPANS, HistoryControls, words_of
 from fleet_tui.controllers.history.replaying import PastReplay
+from fleet_tui.text.language import EMPTY
 from fleet_tui.widgets.rows_pane import RowsPane
 from tests.support.past import kept_history, put
 from tests.support.shift import shift
@@ -43,7 +44,7 @@ def made(tmp_path: Path) -> Made:
         then(work())
 
     files, view = ConsoleFiles(), View()
-    replaying = PastReplay(files, tmp_path, lambda: "", lambda _command: "")
+    replaying = PastReplay(files, tmp_path, lambda: EMPTY, lambda _command: EMPTY)
     return HistoryControls(view, files, replaying, at_once, lambda: 20.0), view
 
 

@@ -10,6 +10,7 @@ from PIL import Image
 from fleet_tui.controllers.set_up.camera import CameraControls, PictureTerminal
 from fleet_tui.model.kind import CAMERA
 from fleet_tui.model.set_up.streams import CameraImage, Streamed
+from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.view.camera.cells import PictureCells
 from fleet_tui.widgets.camera_view import CameraView
 from tests.support.desk import Desk, ready
@@ -59,7 +60,7 @@ class Pane:
         self.desk.store.apply(tick(at))
         self.controls.look()
 
-    def put(self, data: bytes, at: float, unshown: str = "") -> None:
+    def put(self, data: bytes, at: float, unshown: Message = EMPTY) -> None:
         streamed = Streamed(CameraImage(data, None, unshown), at, at)
         self.desk.backend.streams.put("robot_0", CAMERA, streamed)
 
@@ -119,7 +120,7 @@ def test_an_old_picture_is_marked_and_then_gone() -> None:
 def test_a_picture_that_is_not_shown_is_named() -> None:
     pane = Pane()
     pane.controls.turn(True)
-    pane.put(b"", T0 + 1, "format rvl is not shown, only JPEG and PNG")
+    pane.put(b"", T0 + 1, Message("format rvl is not shown, only JPEG and PNG"))
     pane.tick(T0 + 1)
     assert pane.work() == 0 and pane.view.note == "no picture: format rvl is not shown, only JPEG and PNG"
     pane.put(jpeg("red")[:200], T0 + 2)

@@ -15,6 +15,7 @@ from fleet_tui.model.grid import FREE, OCCUPIED
 from fleet_tui.model.kind import SCAN
 from fleet_tui.model.occupancy import build_grid
 from fleet_tui.model.set_up.streams import Beams, Streamed
+from fleet_tui.text.language import Message
 from fleet_tui.view.map.floor_scene import floor_scene
 from fleet_tui.view.map.modes.place import PlaceMode
 from tests.support.desk import Desk, ready
@@ -57,7 +58,7 @@ class Site:
         )
 
     def chooses(self, pose: Pose, moves_scan: bool = True) -> PlaceMode:
-        mode = PlaceMode("POSE", R0, F0, pose, moves_scan)
+        mode = PlaceMode(Message("POSE"), R0, F0, pose, moves_scan)
         self.controls.enter(mode)
         return mode
 

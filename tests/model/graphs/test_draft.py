@@ -6,6 +6,7 @@ from hypothesis import strategies as st
 from fleet_tui.model.graphs.document import DocumentEdge, DocumentFloor, DocumentVertex
 from fleet_tui.model.graphs.draft import Change, GraphDraft
 from fleet_tui.rules.graphs import edits
+from fleet_tui.text.language import Message
 
 EMPTY = DocumentFloor("floor_0")
 
@@ -71,7 +72,7 @@ def test_a_new_id_is_above_those_of_vertices_edges_and_ways_back() -> None:
 
 def test_a_new_step_ends_the_undone_ones() -> None:
     draft = GraphDraft(EMPTY)
-    draft.do(Change("nothing"))
+    draft.do(Change(Message("nothing")))
     draft.undo()
-    draft.do(Change("nothing else"))
+    draft.do(Change(Message("nothing else")))
     assert draft.redo() is None

@@ -4,6 +4,7 @@ import pytest
 
 from fleet_tui.model.routines.lane import Lane, LanePhase
 from fleet_tui.model.routines.row import RoutineRow
+from fleet_tui.text.language import Message
 
 DONE, OPEN = Lane("a", phase=LanePhase.DONE), Lane("b")
 
@@ -14,7 +15,7 @@ DONE, OPEN = Lane("a", phase=LanePhase.DONE), Lane("b")
         (RoutineRow("day"), False),
         (RoutineRow("day", lanes=(DONE,)), False),
         (RoutineRow("day", lanes=(DONE, OPEN)), True),
-        (RoutineRow("day", lanes=(OPEN,), owner="ana"), False),
+        (RoutineRow("day", lanes=(OPEN,), owner=Message("ana")), False),
     ],
 )
 def test_one_that_nobody_leads_any_more_was_left(row: RoutineRow, is_left: bool) -> None:

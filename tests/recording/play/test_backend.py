@@ -8,6 +8,7 @@ from urllib.parse import urlsplit
 import pytest
 
 from fleet_tui.recording.indexing import open_recording
+from fleet_tui.text.language import EMPTY
 from tests.support.replay_console import replayed
 from tests.support.tapes import shift
 
@@ -30,11 +31,11 @@ async def test_nothing_can_be_sent_or_acknowledged(night: Path, monkeypatch: pyt
     async with replayed(night, "+110s") as it:
         before = it.store.state
         for key in ("p", "r", "P", "X", "f12"):
-            it.app.main.notices.say("")
+            it.app.main.notices.say(EMPTY)
             await it.press(key)
             await it.shows("not sent: this is a recording")
         for line in (":pause robot_0", ":robot_0 > Base"):
-            it.app.main.notices.say("")
+            it.app.main.notices.say(EMPTY)
             await it.type(line)
             await it.press("enter")
             await it.shows("not sent: this is a recording")

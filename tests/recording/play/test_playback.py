@@ -8,6 +8,7 @@ import pytest
 from fleet_tui.model.events import TimePassed
 from fleet_tui.recording.play import cursor, playback
 from fleet_tui.recording.play.playback import SPEEDS, Playback
+from fleet_tui.text.language import Message
 from fleet_tui.view.lines.time import MarkKind
 from tests.support.fleets import T0, WALL
 from tests.support.tapes import MadeUp
@@ -133,7 +134,7 @@ def test_a_long_jump_shows_its_progress_and_not_what_lies_between(played: Playba
 
 
 def test_a_failure_stops_it_and_is_said_until_the_next_jump(played: Playback) -> None:
-    played.fail("part gone")
+    played.fail(Message("part gone"))
     played.show()
     assert played.paused and played.shown[1].note == "part gone"
     played.seek(T0, always)

@@ -11,6 +11,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import NO_REPLY, CommandPath, Phase
 from fleet_tui.model.navigation_events import ErrorReported
 from fleet_tui.rules.why.why import reasons
+from fleet_tui.text.language import Message
 from tests.support.alarms import alarm, alarms, up
 from tests.support.fleets import (
     LINK,
@@ -211,10 +212,12 @@ def test_a_silent_robot_is_not_said_to_be_paused() -> None:
 
 
 def test_bad_data_is_an_alarm_while_it_comes() -> None:
-    state = reduced(up(), events.MessageRejected(R0, "pose: no x"), tick(T0), tick(T0 + 1.1))
+    state = reduced(up(), events.MessageRejected(R0, Message("pose: no x")), tick(T0), tick(T0 + 1.1))
     assert alarm(state, "data").text == "bad data x1: pose: no x"
     for n in range(2, 31):
-        state = reduced(state, events.MessageRejected(R0, "pose: no y"), battery(T0 + n), tick(T0 + n))
+        state = reduced(
+            state, events.MessageRejected(R0, Message("pose: no y")), battery(T0 + n), tick(T0 + n)
+        )
     assert (alarm(state, "data").text, alarm(state, "data").count) == ("bad data x30: pose: no y", 1)
     state = reduced(state, battery(T0 + 38.9), tick(T0 + 38.9), battery(T0 + 41), tick(T0 + 41))
     assert alarm(state, "data").text == "no new bad data"
@@ -248,7 +251,9 @@ def test_limits_are_the_operators() -> None:
 
 
 @pytest.mark.parametrize("reason", [STOPPED, UNANSWERED])
-def test_a_bridge_that_takes_connections_and_answers_nothing_may_hang_by_its_executor(reason: str) -> None:
+def test_a_bridge_that_takes_connections_and_answers_nothing_may_hang_by_its_executor(
+    reason: Message,
+) -> None:
     state = reduced(up(), events.LinkChanged(LINK, T0, Phase.WAITING, reason), tick(T0 + 60.0))
     why = reasons(state, state.robots[R0])[0]
     assert alarm(state, "link", LINK).condition.remedy == why.remedy
@@ -262,5 +267,7 @@ def test_one_that_sends_topics_and_answers_no_call_may_too() -> None:
 
 
 def test_no_other_loss_of_a_link_names_it() -> None:
-    state = reduced(up(), events.LinkChanged(LINK, T0, Phase.WAITING, "unknown host"), tick(T0 + 60.0))
+    state = reduced(
+        up(), events.LinkChanged(LINK, T0, Phase.WAITING, Message("unknown host")), tick(T0 + 60.0)
+    )
     assert "use_events_executor" not in alarm(state, "link", LINK).condition.remedy

@@ -4,6 +4,7 @@ from fleet_tui.model import events
 from fleet_tui.model.alarm import AlarmStage
 from fleet_tui.model.desk import events as desk_events
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.text.language import Message
 from tests.support.alarms import alarm, up
 from tests.support.fleets import (
     LINK,
@@ -112,7 +113,7 @@ def test_a_fleet_that_is_paused_for_long_is_one_alarm() -> None:
 def test_bad_data_of_all_robots_is_one_alarm() -> None:
     state = up(100)
     for n in range(100):
-        state = reduced(state, events.MessageRejected(f"robot_{n}", "pose: no x"), tick(T0 + n / 50))
+        state = reduced(state, events.MessageRejected(f"robot_{n}", Message("pose: no x")), tick(T0 + n / 50))
     state = reduced(state, tick(T0 + 3.5))
     assert [one.text for one in state.alarms] == ["100 robots with bad data: robot_0, robot_1, robot_2, …"]
 

@@ -7,6 +7,7 @@ from fleet_tui.model.fleets.facility import LIFT, Facility
 from fleet_tui.model.fleets.member import Member
 from fleet_tui.model.geometry import Pose
 from fleet_tui.rules.alarms.members import issue_remedy, issue_text
+from fleet_tui.text.language import Message
 from tests.support.fleets import F0, R0, T0, reduced, tick
 from tests.support.rmf import rmf_fleet
 
@@ -14,9 +15,9 @@ from tests.support.rmf import rmf_fleet
 @pytest.mark.parametrize(
     ("member", "text"),
     [
-        (Member("moving"), ""),
-        (Member("emergency"), "emergency"),
-        (Member("adapter error", issues=("lift: stuck",)), "lift: stuck"),
+        (Member(Message("moving")), ""),
+        (Member(Message("emergency")), "emergency"),
+        (Member(Message("adapter error"), issues=("lift: stuck",)), "lift: stuck"),
         (Member(issues=("a", "b", "c")), "a (and 2 more)"),
     ],
 )

@@ -26,6 +26,7 @@ from fleet_tui.rules.why.robot import stale_pose
 from fleet_tui.situation.facts import NO_POSE
 from fleet_tui.situation.localisation import FOUND_BELOW, LOST_ABOVE
 from fleet_tui.situation.navigation import NO_ODOMETRY
+from fleet_tui.text.language import EMPTY, Message
 from tests.support.fleets import (
     R0,
     T0,
@@ -58,7 +59,7 @@ def test_a_stop_is_due_after_the_limit_from_its_first_report_and_slowing_down_is
 
 
 def test_a_localisation_between_the_limits_stays_what_it_was() -> None:
-    held = {(R0, "localisation"): Condition(R0, "localisation", Priority.MEDIUM, "", "")}
+    held = {(R0, "localisation"): Condition(R0, "localisation", Priority.MEDIUM, EMPTY, EMPTY)}
     between = (LOST_ABOVE + FOUND_BELOW) / 2
     for variance, before, after in (
         (LOST_ABOVE + 0.1, False, True),
@@ -132,7 +133,7 @@ def test_held_orders_are_counted_and_those_held_by_others_matter_more() -> None:
 
 
 def failed(stage: Stage = Stage.FAILED, at: float = T0, stops: tuple[Stop, ...] = ()) -> GoneOrder:
-    return GoneOrder(Order("7", stops, None, "", 1), at, stage, "aborted by the robot")
+    return GoneOrder(Order("7", stops, None, "", 1), at, stage, Message("aborted by the robot"))
 
 
 def test_an_order_of_another_client_that_failed_is_told_for_a_while() -> None:

@@ -4,6 +4,7 @@ import pytest
 
 from fleet_tui.model.alarm import Alarm, Condition, Priority
 from fleet_tui.rules.alarms.told import told
+from fleet_tui.text.language import Message
 
 
 @pytest.mark.parametrize(
@@ -15,6 +16,6 @@ from fleet_tui.rules.alarms.told import told
         ("stuck 30 s", "stuck 31 s: no odometry", "stuck 31 s: no odometry"),
     ],
 )
-def test_it_is_as_it_was_unless_its_cause_came_later(first: str, now: str, text: str) -> None:
-    condition = Condition("robot_0", "stuck", Priority.HIGH, now, "moves")
+def test_it_is_as_it_was_unless_its_cause_came_later(first: Message, now: Message, text: str) -> None:
+    condition = Condition("robot_0", "stuck", Priority.HIGH, now, Message("moves"))
     assert told(Alarm(condition, 0.0, 0.0, 0.0, first_text=first)) == text

@@ -20,6 +20,7 @@ from fleet_tui.rules.alarms.trouble import (
     to_look_at,
     trouble_elsewhere,
 )
+from fleet_tui.text.language import Message
 from tests.support.fleets import (
     F0,
     LINK,
@@ -198,7 +199,7 @@ def test_an_alarm_changes_at_once_who_of_a_crowd_is_to_be_looked_at() -> None:
 
 
 def test_an_order_that_was_cancelled_here_is_not_lost() -> None:
-    lost = GoneOrder(Order("7", (), None, "", 1), T0 + 3, Stage.LOST, "not listed any more")
+    lost = GoneOrder(Order("7", (), None, "", 1), T0 + 3, Stage.LOST, Message("not listed any more"))
     state = low()
     gone = with_robot(state, replace(state.robots["robot_1"], gone=(lost,)))
     assert to_look_at(reduced(gone, tick(T0 + 4))) == ("robot_1",)
@@ -209,7 +210,7 @@ def test_an_order_that_was_cancelled_here_is_not_lost() -> None:
 def test_a_robot_that_has_just_lost_its_order_is_found_until_it_drives_another() -> None:
     state = low()
     assert next_in_trouble(state, R0) == ""
-    lost = GoneOrder(Order("7", (), None, "", 1), T0 - 2, Stage.LOST, "not listed any more")
+    lost = GoneOrder(Order("7", (), None, "", 1), T0 - 2, Stage.LOST, Message("not listed any more"))
     robot = replace(state.robots["robot_1"], gone=(lost,))
     assert next_in_trouble(with_robot(state, robot), R0) == "robot_1"
     assert (

@@ -13,6 +13,7 @@ from fleet_tui.model.order import vertices_of
 from fleet_tui.model.problem import Permissions
 from fleet_tui.model.request import Request, chain
 from fleet_tui.rules.commands.checks import CHECKS, FIRST, problems, repeated
+from fleet_tui.text.language import Message
 from tests.support.checked_orders import F1, floor, found, ready
 from tests.support.fleets import (
     F0,
@@ -50,7 +51,7 @@ def test_nothing_speaks_against_what_is_all_right() -> None:
         ((), CancelOrder(R0, "-1"), ("id means all", True)),
         ((), ClearOrders(R0), ("nothing to clear", True)),
         ((link_lost(T0),), ORDER, ("no link", True)),
-        ((CommandPathChanged(LINK, CommandPath.DEAD, "master gone"),), ORDER, ("no link", True)),
+        ((CommandPathChanged(LINK, CommandPath.DEAD, Message("master gone")),), ORDER, ("no link", True)),
         ((link_lost(T0),), ResumeRobot(R0), ("no link", True)),
         ((), place_order(R0, 1), ("no cargo", True)),
         ((tick(T0 + 60),), ORDER, ("offline", False)),

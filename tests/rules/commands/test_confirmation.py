@@ -14,6 +14,7 @@ from fleet_tui.model.commands import (
     Stage,
 )
 from fleet_tui.model.events import CommandAdvanced, Event, PausedReported
+from fleet_tui.text.language import Message
 from tests.support.fleets import (
     R0,
     T0,
@@ -85,7 +86,9 @@ def test_with_cargo_only_the_destination_counts() -> None:
 
 def test_without_a_link_nothing_is_decided_and_after_it_the_queue_decides() -> None:
     state = up(
-        *commanded(1, ORDER, SENT), link_lost(T0 + 1), CommandAdvanced(1, UNKNOWN, T0 + 1, "link lost")
+        *commanded(1, ORDER, SENT),
+        link_lost(T0 + 1),
+        CommandAdvanced(1, UNKNOWN, T0 + 1, Message("link lost")),
     )
     dark = reduced(state, tick(T0 + 500))
     assert only(dark).stage is UNKNOWN
@@ -99,7 +102,10 @@ def test_without_a_link_nothing_is_decided_and_after_it_the_queue_decides() -> N
 
 
 def test_a_late_answer_still_counts() -> None:
-    late = [CommandAdvanced(1, NO_ANSWER, T0 + 5), CommandAdvanced(1, Stage.REFUSED, T0 + 8, "REJECTED")]
+    late = [
+        CommandAdvanced(1, NO_ANSWER, T0 + 5),
+        CommandAdvanced(1, Stage.REFUSED, T0 + 8, Message("REJECTED")),
+    ]
     record = only(up(*commanded(1, ORDER, SENT), *late))
     assert (record.stage, record.detail) == (Stage.REFUSED, "REJECTED")
 

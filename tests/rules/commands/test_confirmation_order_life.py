@@ -18,6 +18,7 @@ from fleet_tui.model.desk.events import CommandedElsewhere
 from fleet_tui.model.events import CommandAdvanced, Event, PausedReported, QueueReported
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.rules.alarms.classes import action_of
+from fleet_tui.text.language import Message
 from tests.support.fleets import (
     R0,
     T0,
@@ -258,7 +259,7 @@ def test_where_no_topic_tells_a_pause_its_late_answer_does() -> None:
     state = reduced(fleet(), link_up(T0 - 9), tick(T0), *commanded(1, PauseRobot(R0), SENT, Stage.NO_ANSWER))
     state = reduced(state, tick(T0 + PATIENCE + 0.1))
     assert first(state).stage is Stage.NOT_CONFIRMED and not state.robots[R0].paused_by_us
-    state = reduced(state, CommandAdvanced(1, ACCEPTED, T0 + 12, "paused"))
+    state = reduced(state, CommandAdvanced(1, ACCEPTED, T0 + 12, Message("paused")))
     assert first(state).stage is Stage.LATE and state.robots[R0].paused_by_us
 
 

@@ -8,6 +8,7 @@ from fleet_tui.model.commands import CancelOrder, PauseRobot, Stage
 from fleet_tui.model.desk import events as desk_events
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.rules.commands.failures import DRIVES_ON, MAY_FOLLOW
+from fleet_tui.text.language import Message
 from tests.support.alarms import alarm, alarms, up
 from tests.support.fleets import (
     LINK,
@@ -27,7 +28,7 @@ from tests.support.fleets import (
 def ended(id_: int, at: float, *stages: Stage, detail: str = "") -> list[events.Event]:
     return [
         events.CommandAdvanced(id_, Stage.SENT, at),
-        *(events.CommandAdvanced(id_, stage, at, detail) for stage in stages),
+        *(events.CommandAdvanced(id_, stage, at, Message(detail)) for stage in stages),
     ]
 
 

@@ -11,6 +11,7 @@ from fleet_tui.model.navigation_events import (
 from fleet_tui.model.order import Stop, at_vertices
 from fleet_tui.model.request import given_now
 from fleet_tui.rules.commands.local_queue import foreign, next_to_send, orders_to_save
+from fleet_tui.text.language import Message
 from tests.support.fleets import F0, R0, T0, reduced, tick
 from tests.support.legs import (
     A_B,
@@ -94,7 +95,7 @@ def test_a_pause_keeps_the_leg() -> None:
     state = lived(sent(state, T0 + 2.1, "goal---2"), T0 + 2.3, goal("goal---2"))
     pause = PauseRobot(R0)
     state = reduced(state, CommandIssued(8, pause, T0 + 3, T0), CommandAdvanced(8, Stage.SENT, T0 + 3))
-    state = reduced(state, CommandAdvanced(8, Stage.ACCEPTED, T0 + 3, "no reply expected"))
+    state = reduced(state, CommandAdvanced(8, Stage.ACCEPTED, T0 + 3, Message("no reply expected")))
     state = lived(state, T0 + 3.2, goal("goal---2", OFF))
     assert (record(state).stage, record(state).leg) == (Stage.WAITING, 1)
     assert next_to_send(state, state.robots[R0]) is None

@@ -24,6 +24,7 @@ from fleet_tui.model.request import Request
 from fleet_tui.rules.commands.checks import problems
 from fleet_tui.rules.commands.local_queue import next_to_send, waiting, withdrawn
 from fleet_tui.rules.why.why import reasons
+from fleet_tui.text.language import Message
 from fleet_tui.view.lines.questions import question
 from fleet_tui.view.tables.fleet import fleet_table
 from tests.support.fleets import (
@@ -66,7 +67,7 @@ def test_what_the_link_knows_of_an_unanswered_goal_is_told_in_the_end() -> None:
     late = T0 + sent.limits.confirm_after
     waits = after(sent, pose(late), goals(late, OrderState.DONE), tick(late + 0.1))
     assert waits.commands[-1].stage is Stage.SENT
-    why = "the broker did not pass it on"
+    why = Message("the broker did not pass it on")
     told = after(waits, CommandAdvanced(1, Stage.NO_ANSWER, late + 0.2, why))
     end = late + 0.2 + sent.limits.confirm_after
     ended = after(told, pose(end), tick(end)).commands[-1]

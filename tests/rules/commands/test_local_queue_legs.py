@@ -16,6 +16,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import at_vertices
 from fleet_tui.rules.commands.local_queue import all_orders, hold_all, next_to_send
 from fleet_tui.rules.commands.pauses import foreign_stopped
+from fleet_tui.text.language import Message
 from tests.support.fleets import R0, T0, link_lost, link_up, reduced, tick
 from tests.support.legs import DONE, OFF, goal, lived, record, sent, site
 
@@ -63,7 +64,7 @@ def test_a_link_that_was_lost_on_the_way_holds_the_next_stop() -> None:
 
 def test_a_console_that_is_disarmed_on_the_way_holds_the_next_stop() -> None:
     state = on_its_first_leg()
-    state = reduced(state, *hold_all(state, "this console is not armed"))
+    state = reduced(state, *hold_all(state, Message("this console is not armed")))
     state = lived(lived(state, T0 + 1.5, goal(FIRST)), T0 + 2, goal(FIRST, DONE))
     assert record(state).stage is Stage.WAITING
     assert state.robots[R0].held == "this console is not armed" and not leaves(state)
@@ -92,7 +93,7 @@ def test_a_pause_that_stops_a_goal_of_others_says_so_though_orders_wait_here() -
     state = asked(lived(state, T0 + 1.3, goal("another1")), T0 + 2, PauseRobot(R0))
     state = lived(lived(state, T0 + 2.2, goal("another1", OFF)), T0 + 2.4, goal("another1", OFF))
     pause = record(state, 8)
-    assert (pause.stage, pause.detail) == (Stage.CONFIRMED, foreign_stopped("goal another1"))
+    assert (pause.stage, pause.detail) == (Stage.CONFIRMED, foreign_stopped(Message("goal another1")))
 
 
 def test_a_resume_after_which_an_order_left_says_so() -> None:

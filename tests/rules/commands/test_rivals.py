@@ -8,6 +8,7 @@ from fleet_tui.model.desk.events import ColleaguesSeen, CommandedElsewhere
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.rules.commands.rivals import AT_ONCE, SHOWN_FOR, rivals, rivals_text
 from fleet_tui.state.desk_events import OTHERS_FOR
+from fleet_tui.text.language import EMPTY
 from fleet_tui.view.lines.commands import message_line
 from fleet_tui.view.tables.news import news
 from tests.support.fleets import R0, T0, commanded, fleet, link_up, place_order, pose, reduced, text_of, tick
@@ -32,7 +33,7 @@ def test_whoever_was_first_both_are_told(at: float) -> None:
     state = reduced(ordered(), by_ben(at), tick(max(T0, at)))
     assert rivals_text(state, R0) == "ben at pc:7: pause"
     assert "also commanded by ben" in row(state)
-    line = text_of(message_line(state, "", T0, 200))
+    line = text_of(message_line(state, EMPTY, T0, 200))
     assert line.endswith(", also commanded by ben at pc:7: pause")
 
 

@@ -17,6 +17,7 @@ from fleet_tui.rules.driving.session import (
     DriveSession,
 )
 from fleet_tui.rules.driving.speed import Caps
+from fleet_tui.text.language import Message
 
 CAPS = Caps(0.3, 0.6)
 AHEAD = Speeds(0.3)
@@ -107,7 +108,7 @@ def test_another_publisher_ends_it(foreign: Speeds) -> None:
     session.steer(Steering(AHEAD, 9.0), 1.0, True)
     assert session.received(foreign, 1.05) == [STILL] * ZEROS
     assert (session.state.phase, session.state.reason) == (DrivePhase.ENDED, FOREIGN)
-    assert session.end("later") == []
+    assert session.end(Message("later")) == []
 
 
 def test_another_publisher_keeps_it_from_beginning() -> None:
@@ -138,7 +139,7 @@ def one_session(seed: int) -> None:
             case 3 if chance.random() < 0.1:
                 sent += session.received(Speeds(chance.choice(ANY)), at)
             case 4 if chance.random() < 0.2:
-                sent += session.end("the dialog")
+                sent += session.end(Message("the dialog"))
         while echoes and echoes[0][0] <= at:
             sent += session.received(echoes.pop(0)[1], at)
         sent += session.tick(at, clear)
@@ -153,7 +154,7 @@ def one_session(seed: int) -> None:
         at += PERIOD
         wire += session.tick(at, True)
     assert wire[-1] == STILL
-    wire += session.end("console closed")
+    wire += session.end(Message("console closed"))
     assert wire[-ZEROS:] == [STILL] * ZEROS
 
 

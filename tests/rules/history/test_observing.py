@@ -16,6 +16,7 @@ from fleet_tui.model.events import Event, MessageRejected, QueueReported
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.facts import Activity, Charge, LaterCause, LinkChange, OrderChange, Span
 from fleet_tui.rules.history.observing import EVERY, HOUR, SLEPT, Fact, Observer
+from fleet_tui.text.language import Message
 from tests.support.fleets import (
     R0,
     T0,
@@ -213,8 +214,8 @@ def test_spans_of_a_run_follow_each_other() -> None:
 
 def test_the_cause_of_an_alarm_that_came_later_is_told_once() -> None:
     def held(text: str, *, holds: bool = True) -> FleetState:
-        condition = Condition(R0, "order", Priority.HIGH, text, "over")
-        alarm = Alarm(condition, 1.0, 1.0, 1.0, holds=holds, first_text="failed: no reason reported")
+        condition = Condition(R0, "order", Priority.HIGH, Message(text), Message("over"))
+        alarm = Alarm(condition, 1.0, 1.0, 1.0, holds=holds, first_text=Message("failed: no reason reported"))
         return structs.replace(reduced(fleet(), link_up(T0), tick(T0)), alarms=(alarm,))
 
     observer, found = Observer(), []
@@ -259,7 +260,7 @@ def test_a_clear_of_another_console_is_no_cause_of_the_end_of_what_was_ordered_a
     assert of_orders(told(observer, reduced(state, tick(T0 + 12)))) == [("8", "done")]
 
 
-@pytest.mark.parametrize("told_of", [MessageRejected(R0, "/robot_0/pose: x is missing"), None])
+@pytest.mark.parametrize("told_of", [MessageRejected(R0, Message("/robot_0/pose: x is missing")), None])
 def test_time_in_which_nothing_tells_what_a_robot_does_is_no_time_offline(told_of: Event | None) -> None:
     """It sends only what nobody can read, or its one message is of unknown age."""
     observer = Observer()

@@ -10,6 +10,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.facts import OrderChange
 from fleet_tui.model.order import OrderState
 from fleet_tui.rules.history.observing import Observer
+from fleet_tui.text.language import Message
 from fleet_tui.view.tables.recent import recent_table
 from fleet_tui.view.tables.robot_page import ended_rows
 from tests.support.fleets import R0, T0, reduced
@@ -82,7 +83,9 @@ def test_history_tells_the_end_of_one_that_was_cancelled_while_it_waited_here() 
     waiting = record(states[-1])
     assert waiting.stage is Stage.WAITING and waiting.order_id is not None
     cancel = CommandIssued(8, CancelOrder(R0, waiting.order_id), T0 + 5, T0)
-    state = reduced(states[-1], cancel, CommandAdvanced(7, Stage.CANCELLED, T0 + 5, "by this console"))
+    state = reduced(
+        states[-1], cancel, CommandAdvanced(7, Stage.CANCELLED, T0 + 5, Message("by this console"))
+    )
     states += [state, lived(state, T0 + 6)]
     assert changes(states) == whole("cancelled")
 

@@ -6,6 +6,7 @@ from fleet_tui.model.history.facts import Activity, LinkChange
 from fleet_tui.model.history.lives import AlarmLife
 from fleet_tui.model.history.totals import ActivityTotal, ChargeTotal, OrderTotal
 from fleet_tui.rules.history.shift import causes_of, counted, outages_of, robots_of
+from fleet_tui.text.language import Message
 
 ORDERS = [
     OrderTotal("robot_10", "A -> B", "done", 5, 1, 4, 400.0, 200.0),
@@ -36,11 +37,11 @@ def test_robots_by_name_with_their_times_and_batteries() -> None:
 
 
 def alarm(raised: float, returned: float | None, seen: float | None = None, source: str = "r") -> AlarmLife:
-    return AlarmLife(source, "stuck", "high", "stuck", raised, returned, seen, returned, "", 1)
+    return AlarmLife(source, Message("stuck"), "high", "stuck", raised, returned, seen, returned, "", 1)
 
 
 def test_alarms_by_cause_count_only_the_time() -> None:
-    battery = AlarmLife("r", "battery", "medium", "low", 990.0, None, None, None, "", 3)
+    battery = AlarmLife("r", Message("battery"), "medium", "low", 990.0, None, None, None, "", 3)
     lives = [alarm(50.0, 150.0, 60.0), alarm(200.0, 260.0, 230.0, "s"), battery]
     stuck, low = causes_of(lives, 100.0, 1000.0)
     assert (stuck.kind, stuck.count, stuck.sources, stuck.seconds, stuck.longest) == (

@@ -25,6 +25,7 @@ from fleet_tui.model.navigation_events import ModeReported
 from fleet_tui.model.order import OrderQueue
 from fleet_tui.rules.language.lookup import Place
 from fleet_tui.rules.routes.nearest import BATTERY_MARGIN, nearest, why_none, why_not
+from fleet_tui.text.language import Message
 from tests.support.fleets import (
     F0,
     R0,
@@ -111,7 +112,7 @@ def test_an_order_that_waits_here_keeps_a_robot_busy() -> None:
 
 def test_a_robot_with_an_alarm_that_holds_is_passed_over() -> None:
     state = state_of(0.0, 4.0)
-    alarm = Alarm(Condition(R0, "data", Priority.LOW, "bad data", "over"), 0.0, 0.0, T0)
+    alarm = Alarm(Condition(R0, "data", Priority.LOW, Message("bad data"), Message("over")), 0.0, 0.0, T0)
     assert name(replace(state, alarms=(alarm,)), BASE) == R1
     assert name(replace(state, alarms=(replace(alarm, holds=False),)), BASE) == R0
 

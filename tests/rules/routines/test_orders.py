@@ -13,6 +13,7 @@ from fleet_tui.model.request import Request
 from fleet_tui.model.routines.blocks import CarryBlock, GoBlock
 from fleet_tui.model.routines.lane import OrderEnded
 from fleet_tui.rules.routines.orders import earlier_outcome, order_of, outcome_of
+from fleet_tui.text.language import Message
 from tests.support.fleets import R0, T0, commanded, order_queue, place_order, pose, queue, reduced, tick
 from tests.support.routines import two_robots
 
@@ -62,11 +63,14 @@ def test_an_unknown_place_and_an_unknown_start_are_errors() -> None:
         ((), None),
         ((Stage.SENT,), None),
         ((Stage.SENT, Stage.UNKNOWN), None),
-        ((Stage.NOT_SENT,), OrderEnded(False, "not sent: said")),
-        ((Stage.SENT, Stage.REFUSED), OrderEnded(False, "refused: said")),
-        ((Stage.SENT, Stage.ACCEPTED, Stage.NOT_CONFIRMED), OrderEnded(False, "not confirmed: said")),
-        ((Stage.SENT, Stage.ACCEPTED, Stage.CONFIRMED, Stage.DONE), OrderEnded(True, "done: said")),
-        ((Stage.SENT, Stage.ACCEPTED, Stage.CONFIRMED, Stage.LOST), OrderEnded(False, "lost: said")),
+        ((Stage.NOT_SENT,), OrderEnded(False, Message("not sent: said"))),
+        ((Stage.SENT, Stage.REFUSED), OrderEnded(False, Message("refused: said"))),
+        (
+            (Stage.SENT, Stage.ACCEPTED, Stage.NOT_CONFIRMED),
+            OrderEnded(False, Message("not confirmed: said")),
+        ),
+        ((Stage.SENT, Stage.ACCEPTED, Stage.CONFIRMED, Stage.DONE), OrderEnded(True, Message("done: said"))),
+        ((Stage.SENT, Stage.ACCEPTED, Stage.CONFIRMED, Stage.LOST), OrderEnded(False, Message("lost: said"))),
     ],
 )
 def test_only_what_was_seen_counts(stages: tuple[Stage, ...], outcome: OrderEnded | None) -> None:
@@ -84,8 +88,8 @@ def test_an_order_of_an_earlier_run_is_followed_by_its_id() -> None:
     state = two_robots()
     assert earlier_outcome(state.robots["robot_1"], "1") is None, "no queue was received"
     missed = earlier_outcome(state.robots[R0], "1")
-    assert missed == OrderEnded(False, "order 1 left the queue while no console followed it")
+    assert missed == OrderEnded(False, Message("order 1 left the queue while no console followed it"))
     state = reduced(state, queue(T0 + 1, (1, 1, 3, "I"), current=1), pose(T0 + 1, 2.0))
     assert earlier_outcome(state.robots[R0], "1") is None
     state = reduced(state, QueueReported(R0, T0 + 2, order_queue(1, -1)))
-    assert earlier_outcome(state.robots[R0], "1") == OrderEnded(True, "done: driven to the end")
+    assert earlier_outcome(state.robots[R0], "1") == OrderEnded(True, Message("done: driven to the end"))

@@ -18,10 +18,11 @@ from fleet_tui.model.routines.lane import (
     Ticked,
 )
 from fleet_tui.rules.routines.stepping import MOST_MOVES, TABLE
+from fleet_tui.text.language import Message
 from tests.support.routines import STOP, LedLane, facts, lane_events, plan_of, plans
 
-DONE, LOST = OrderEnded(True), OrderEnded(False, "lost")
-CUT = Ticked(facts(no_link="connection refused"))
+DONE, LOST = OrderEnded(True), OrderEnded(False, Message("lost"))
+CUT = Ticked(facts(no_link=Message("connection refused")))
 
 
 @given(plans, lane_events)
@@ -115,14 +116,14 @@ def test_a_failure_of_the_last_part_tells_both_reasons() -> None:
     led.ticked()
     led.after(LOST)
     led.ticked()
-    assert led.after(OrderEnded(False, "refused")).detail == "lost; then refused"
+    assert led.after(OrderEnded(False, Message("refused"))).detail == "lost; then refused"
     assert led.lane.phase is LanePhase.FAILED and led.ordered == [2, 4]
 
 
 def test_an_order_that_was_not_sent_is_held_and_given_again_after_a_resume() -> None:
     led = LedLane(plan_of("go A"))
     led.ticked()
-    held = led.after(OrderWithheld("robot_0 is paused"))
+    held = led.after(OrderWithheld(Message("robot_0 is paused")))
     assert (held.gate, held.phase, held.detail) == (Gate.HELD, LanePhase.READY, "robot_0 is paused")
     led.after(LaneResumed())
     led.ticked()

@@ -14,6 +14,7 @@ from fleet_tui.rules.commands.failures import REJECTED
 from fleet_tui.rules.why.orders import RESTART
 from fleet_tui.rules.why.reason import LOOK_AT, Reason
 from fleet_tui.rules.why.why import reasons
+from fleet_tui.text.language import Message
 from tests.support.fleets import (
     LINK,
     R0,
@@ -63,7 +64,7 @@ def test_after_an_own_order_without_progress_w_offers_to_look_at_the_robot() -> 
     given = commanded(1, place_order(R0, 1, 2), Stage.SENT, Stage.ACCEPTED, Stage.CONFIRMED, at=T0 + 8)
     cause = "Failed to find a valid control. Even after executing recovery behaviors."
     for detail, offered in ((cause, True), ("unplugged", False)):
-        end = CommandAdvanced(1, Stage.FAILED, T0 + 9, detail=detail)
+        end = CommandAdvanced(1, Stage.FAILED, T0 + 9, detail=Message(detail))
         failed = reduced(moved(GOALS), pose(T0 + 9), queue(T0 + 9), *given, end, tick(T0 + 9))
         keys = reasons(failed, failed.robots[R0])[0].keys
         assert ({*LOOK_AT, "diagnostics"} <= {*keys}) == offered and "order" in keys
@@ -101,7 +102,7 @@ def test_the_order_that_failed_last_is_why_a_robot_has_none() -> None:
     idle = reduced(moved(GOALS), queue(T0 + 9), pose(T0 + 9), tick(T0 + 9))
 
     def after(stage: Stage, cause: str = "unplugged") -> Reason:
-        gone = GoneOrder(order, T0, stage, cause)
+        gone = GoneOrder(order, T0, stage, Message(cause))
         return reasons(idle, replace(idle.robots[R0], gone=(gone,)))[0]
 
     assert (after(Stage.FAILED).name, after(Stage.FAILED).since) == ("last order failed: unplugged", T0)

@@ -21,6 +21,7 @@ from fleet_tui.rules.why.reason import Strength
 from fleet_tui.rules.why.robot import stale_pose
 from fleet_tui.rules.why.why import reasons
 from fleet_tui.situation.facts import NO_POSE
+from fleet_tui.text.language import Message
 from tests.support.fleets import (
     LINK,
     R0,
@@ -124,7 +125,7 @@ def test_a_pause_that_was_obeyed_late_is_named() -> None:
     assert state.commands[0].stage is Stage.NOT_CONFIRMED
     assert "pause from this console: not confirmed" in [one.name for one in reasons(state, state.robots[R0])]
     state = reduced(
-        state, CommandAdvanced(1, Stage.ACCEPTED, T0 + 12, "paused"), pose(T0 + 12), tick(T0 + 12)
+        state, CommandAdvanced(1, Stage.ACCEPTED, T0 + 12, Message("paused")), pose(T0 + 12), tick(T0 + 12)
     )
     assert reasons(state, state.robots[R0])[0].name == "paused (by us)"
 

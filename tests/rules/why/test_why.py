@@ -28,6 +28,7 @@ from fleet_tui.rules.why.orders import SHORT
 from fleet_tui.rules.why.reason import Reason
 from fleet_tui.rules.why.why import reasons
 from fleet_tui.simulator.robot import SimOrder
+from fleet_tui.text.language import Message
 from tests.support.fleets import (
     R0,
     T0,
@@ -62,7 +63,7 @@ def cut_off(planted: Planted) -> Planted:
 
 
 def unanswered(planted: Planted) -> Planted:
-    planted.tell(CommandAdvanced(1, Stage.NO_ANSWER, planted.now, "in 5 s"))
+    planted.tell(CommandAdvanced(1, Stage.NO_ANSWER, planted.now, Message("in 5 s")))
     return planted
 
 
@@ -222,7 +223,7 @@ def test_a_scan_that_does_not_fit_is_told_also_of_a_robot_that_moves() -> None:
 
 def test_what_a_robot_reports_about_itself_comes_after_jumps_of_its_pose() -> None:
     planted = driving(then="jumping:robot_0").run(12)
-    own = Complaint("drive: ERROR no odometry", "diagnostics", True, planted.now)
+    own = Complaint(Message("drive: ERROR no odometry"), "diagnostics", True, planted.now)
     found = [one.name for one in reasons(planted.state, planted.robot, complaints=[own])]
     assert found[0].startswith("localisation jumps: 1") and found[0].endswith(" in 10 s")
     assert found[1] == own.text

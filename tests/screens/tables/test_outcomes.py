@@ -7,6 +7,7 @@ import pytest
 from fleet_tui.model.commands import Command, PauseRobot, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.screens.tables.tools import SHOWN, STAYS, Outcomes
+from fleet_tui.text.language import EMPTY, Message
 from tests.support.fleets import R0, commanded, fleet, reduced, tick
 from tests.support.widget_app import WidgetApp
 
@@ -24,9 +25,9 @@ async def test_each_command_has_a_line_that_follows_it() -> None:
     outcomes = Outcomes(lambda: states[-1])
     async with WidgetApp(outcomes).run_test():
         assert not outcomes.display
-        told: list[tuple[Command, str]] = [
-            (PAUSE, ""),
-            (PauseRobot("robot_1"), "not sent: robot_1 is offline"),
+        told: list[tuple[Command, Message]] = [
+            (PAUSE, EMPTY),
+            (PauseRobot("robot_1"), Message("not sent: robot_1 is offline")),
         ]
         outcomes.show(told, now)
         assert shown(outcomes).splitlines()[1] == "robot_1 pause: not sent: robot_1 is offline"
@@ -47,7 +48,7 @@ async def test_it_stays_while_one_is_open_and_leaves_a_while_after_the_last(
     states: list[FleetState] = [reduced(fleet(), *commanded(1, PAUSE, Stage.SENT, at=clock[0]))]
     outcomes = Outcomes(lambda: states[-1])
     async with WidgetApp(outcomes).run_test():
-        outcomes.show([(PAUSE, "")], clock[0])
+        outcomes.show([(PAUSE, EMPTY)], clock[0])
         clock[0] += 60
         outcomes.look()
         assert outcomes.display
@@ -65,7 +66,7 @@ async def test_of_many_the_others_are_counted() -> None:
     state = fleet(40)
     outcomes = Outcomes(lambda: state)
     async with WidgetApp(outcomes).run_test():
-        outcomes.show([(PauseRobot(name), "not sent: no link") for name in state.robots], 0.0)
+        outcomes.show([(PauseRobot(name), Message("not sent: no link")) for name in state.robots], 0.0)
         lines = shown(outcomes).splitlines()
         assert len(lines) == SHOWN + 1 and lines[-1].startswith(f"and {40 - SHOWN} more")
 
@@ -75,5 +76,5 @@ async def test_what_was_sent_before_is_not_taken_for_an_outcome() -> None:
     state = reduced(fleet(), *commanded(1, PAUSE, *TO_THE_END, at=now - 0.01))
     outcomes = Outcomes(lambda: state)
     async with WidgetApp(outcomes).run_test():
-        outcomes.show([(PAUSE, "")], now)
+        outcomes.show([(PAUSE, EMPTY)], now)
         assert shown(outcomes) == "robot_0 pause: sending"

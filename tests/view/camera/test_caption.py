@@ -2,6 +2,7 @@
 
 import pytest
 
+from fleet_tui.text.language import Message
 from fleet_tui.view.camera.caption import CameraFacts, caption, note
 
 
@@ -22,5 +23,5 @@ def test_what_is_missing_is_told_in_the_place_of_the_picture() -> None:
     assert note(CameraFacts("r1")) == "waiting for the first picture"
     assert note(CameraFacts("r1", (4, 3), 9.9)) == ""
     assert note(CameraFacts("r1", (4, 3), 12.0)) == "no picture for 12 s"
-    assert note(CameraFacts("r1", problem="too large")) == "no picture: too large"
-    assert note(CameraFacts("r1", problem="no camera: nothing publishes /c")).startswith("no camera")
+    assert note(CameraFacts("r1", problem=Message("too large"))) == "no picture: too large"
+    assert note(CameraFacts("r1", problem=Message("no camera: nothing publishes /c"))).startswith("no camera")

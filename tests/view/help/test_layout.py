@@ -2,6 +2,7 @@
 
 import pytest
 
+from fleet_tui.text.language import Message
 from fleet_tui.view.help.layout import THREE_FROM, TWO_FROM, help_lines
 from fleet_tui.view.help.pages import tasks
 from fleet_tui.view.help.section import HelpRow, HelpSection
@@ -43,8 +44,8 @@ def test_a_large_screen_has_three_columns_about_equally_high() -> None:
 
 
 def test_long_texts_go_on_below_themselves() -> None:
-    row = HelpRow((("Enter", StyleRole.KEY),), "one two three four five six")
-    assert [line.rstrip() for line in text([HelpSection("T", (row,))], 24)] == [
+    row = HelpRow((("Enter", StyleRole.KEY),), Message("one two three four five six"))
+    assert [line.rstrip() for line in text([HelpSection(Message("T"), (row,))], 24)] == [
         "T",
         "  Enter  one two three",
         "         four five six",
@@ -52,5 +53,5 @@ def test_long_texts_go_on_below_themselves() -> None:
 
 
 def test_texts_without_a_mark_begin_at_the_left() -> None:
-    assert text([HelpSection("T", (HelpRow((), "note"),))], 8) == ["T       ", "  note  "]
+    assert text([HelpSection(Message("T"), (HelpRow((), Message("note")),))], 8) == ["T       ", "  note  "]
     assert text([], 8) == []

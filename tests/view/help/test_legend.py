@@ -36,7 +36,7 @@ def test_states_differ_from_each_other() -> None:
     robots, *_ = legend(MapOptions())
     drawn = [row.mark for row in robots.rows]
     assert len(set(drawn)) == len(drawn)
-    by_meaning = {row.text: row.mark for row in robots.rows}
+    by_meaning = {str(row.text): row.mark for row in robots.rows}
     roles = {role for _, role in by_meaning["the selected robot"]}
     assert StyleRole.ROBOT_SELECTED in roles
     alarmed = by_meaning["! with an alarm, red until it is acknowledged"]

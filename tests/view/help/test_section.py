@@ -2,17 +2,18 @@
 
 import pytest
 
+from fleet_tui.text.language import Message
 from fleet_tui.view.help.section import HelpRow, HelpSection, key_row, search
 from fleet_tui.view.roles import StyleRole
 from tests.support.fleets import text_of
 from tests.support.kinds import KEYS
 
 ROWS = (
-    key_row(["pause_all", "pause_all_anywhere"], "Pause all robots", KEYS, 1),
-    key_row(["palette"], "Open the palette", KEYS, 9),
-    HelpRow((("o", StyleRole.VERTEX),), "a vertex", ("⌂",)),
+    key_row(["pause_all", "pause_all_anywhere"], Message("Pause all robots"), KEYS, 1),
+    key_row(["palette"], Message("Open the palette"), KEYS, 9),
+    HelpRow((("o", StyleRole.VERTEX),), Message("a vertex"), ("⌂",)),
 )
-SECTIONS = (HelpSection("Stop a robot", ROWS[:1]), HelpSection("Legend: places", ROWS[1:]))
+SECTIONS = (HelpSection(Message("Stop a robot"), ROWS[:1]), HelpSection(Message("Legend: places"), ROWS[1:]))
 
 
 @pytest.mark.parametrize(
@@ -41,4 +42,4 @@ def test_what_is_typed_finds_rows(wanted: str, found: list[int]) -> None:
 def test_keys_are_named_as_people_write_them() -> None:
     assert [text_of(row.mark) for row in ROWS[:2]] == ["P F12", ": Ctrl-P"]
     assert {role for _, role in ROWS[0].mark} == {StyleRole.KEY}
-    assert text_of(key_row(["record"], "Record", KEYS, 1).mark) == "palette"
+    assert text_of(key_row(["record"], Message("Record"), KEYS, 1).mark) == "palette"

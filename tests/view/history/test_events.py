@@ -2,14 +2,15 @@
 
 from fleet_tui.model.history.facts import LinkChange, Note
 from fleet_tui.model.history.lives import AlarmLife, PastCommand, PastOrder
+from fleet_tui.text.language import Message
 from fleet_tui.view.history.events import matching, past_events
 
 ORDER = PastOrder("robot_0", "12", "Base -> Store", "floor_0", 10.0, 25.0, 85.0, "done", "driven", "ana")
 LOST = PastOrder("robot_1", "13", "-> Base", "floor_0", 11.0, None, 95.0, "lost", "left the queue", "")
 OPEN = PastOrder("robot_1", "14", "-> Base", "floor_0", 12.0, None, None, "queued", "", "")
-ALARM = AlarmLife("robot_1", "stuck", "high", "stuck for 60 s", 20.0, 80.0, 50.0, 80.0, "bo", 2)
-UNSEEN = AlarmLife("robot_1", "stuck", "high", "stuck", 20.0, None, None, 60.0, "", 1)
-HELD = AlarmLife("robot_1", "offline", "high", "silent", 99.0, None, None, None, "", 1)
+ALARM = AlarmLife("robot_1", Message("stuck"), "high", "stuck for 60 s", 20.0, 80.0, 50.0, 80.0, "bo", 2)
+UNSEEN = AlarmLife("robot_1", Message("stuck"), "high", "stuck", 20.0, None, None, 60.0, "", 1)
+HELD = AlarmLife("robot_1", Message("offline"), "high", "silent", 99.0, None, None, None, "", 1)
 COMMAND = PastCommand(30.0, "ana", "robot_0", "pause", "", "not confirmed", "still drives")
 
 

@@ -5,6 +5,7 @@ from fleet_tui.model.history.lives import AlarmLife, PastOrder
 from fleet_tui.model.history.totals import ChargeTotal
 from fleet_tui.rules.battery.forecast import BatteryForecast
 from fleet_tui.rules.history.division import Division
+from fleet_tui.text.language import Message
 from fleet_tui.view.history.events import past_events
 from fleet_tui.view.history.shift import ShownShift
 from fleet_tui.view.history.tables import (
@@ -33,7 +34,7 @@ def lines(table: Table) -> list[str]:
 
 
 def alarm(raised: float, returned: float | None, source: str = "robot_0", count: int = 1) -> AlarmLife:
-    return AlarmLife(source, "stuck", "high", "stuck", raised, returned, None, returned, "", count)
+    return AlarmLife(source, Message("stuck"), "high", "stuck", raised, returned, None, returned, "", count)
 
 
 def test_events_are_newest_first_and_trouble_is_red() -> None:
@@ -88,5 +89,5 @@ def test_an_empty_page_says_why() -> None:
     shown = ShownShift(TIME)
     assert events_table(shown, [], clock).empty == "nothing happened in this time"
     assert robots_table(shown, ["x"], clock, False).empty == "no robot was seen with: x"
-    failed = ShownShift(TIME, problem="the history can't be read: \x1b")
+    failed = ShownShift(TIME, problem=Message("the history can't be read: "))
     assert alarms_table(failed, [], clock, False).empty == "the history can't be read: ␛"

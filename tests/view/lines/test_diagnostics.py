@@ -1,5 +1,6 @@
 """The lines above and below a page of the diagnostics screen."""
 
+from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.view.lines.diagnostics import foot_runs, page_runs
 from fleet_tui.view.tables.table import width_of
 
@@ -15,7 +16,7 @@ def test_every_page_has_its_keys_and_what_was_said_takes_their_place() -> None:
 
     keys = {key.id: key.keys for key in KEYS}
     for page in range(1, 7):
-        _, right = foot_runs(keys, page, "")
+        _, right = foot_runs(keys, page, EMPTY)
         assert width_of(right) <= 75 and "back" in right[-1][0]
-    left, right = foot_runs(keys, 3, "sent")
+    left, right = foot_runs(keys, 3, Message("sent"))
     assert left[0][0] == "sent" and right == []

@@ -1,6 +1,7 @@
 """First and last line of the history."""
 
 from fleet_tui.keymap import keymap
+from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.view.lines.history import foot_runs, page_runs
 from tests.support.fleets import text_of
 
@@ -16,10 +17,10 @@ def test_the_open_page_is_in_brackets_and_the_time_at_the_right() -> None:
 
 def test_each_page_offers_the_recording_and_that_of_places_its_floors() -> None:
     for page, first in (("Events", " o recording "), ("Robots", " o recording "), ("Places", " f floor ")):
-        hints = text_of(foot_runs(KEYS, page, "")[1])
+        hints = text_of(foot_runs(KEYS, page, EMPTY)[1])
         assert hints.startswith(first) and " o recording  / filter " in hints
 
 
 def test_an_answer_takes_the_place_of_the_keys() -> None:
-    said, keys = foot_runs(KEYS, "Events", "no recording \x1b[2J")
+    said, keys = foot_runs(KEYS, "Events", Message("no recording [2J"))
     assert text_of(said) == "no recording ␛[2J" and keys == []

@@ -5,6 +5,7 @@ import pytest
 from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, PauseRobot
 from fleet_tui.model.problem import Problem
 from fleet_tui.model.request import Request, chain
+from fleet_tui.text.language import Message
 from fleet_tui.view.lines.questions import losses, question, request_text
 from tests.support.fleets import R0, T0, fleet, graph, labels, place_order, queue, reduced
 
@@ -27,8 +28,8 @@ def test_what_will_be_lost_is_named(commands: tuple[Command, ...], asked: str) -
 
 def test_warnings_stand_in_the_question() -> None:
     found = [
-        Problem("offline", "robot_0 is offline 41 s", False),
-        Problem("paused", "it is \x1bpaused", False),
+        Problem("offline", Message("robot_0 is offline 41 s"), False),
+        Problem("paused", Message("it is paused"), False),
     ]
     asked = question(STATE, Request((place_order(R0, 1, 2),)), found)
     assert asked == "robot_0 is offline 41 s, it is ␛paused: send anyway?\nrobot_0 order Base -> Store"

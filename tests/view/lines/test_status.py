@@ -11,6 +11,7 @@ from fleet_tui.model.desk import events as desk_events
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.kind import PAUSE, Kind
 from fleet_tui.model.link import CommandPath, Phase
+from fleet_tui.text.language import Message
 from fleet_tui.view.lines.status import console_notes, status_line
 from fleet_tui.view.roles import StyleRole
 from tests.support.fleets import (
@@ -73,7 +74,7 @@ def test_a_link_shows_the_age_of_the_last_message() -> None:
 
 
 def test_telemetry_alive_and_commands_dead() -> None:
-    dead = events.CommandPathChanged(LINK, CommandPath.DEAD, "no ROS master")
+    dead = events.CommandPathChanged(LINK, CommandPath.DEAD, Message("no ROS master"))
     state = reduced(fleet(), link_up(T0), events.MessageArrived(LINK, T0), dead, tick(T0))
     assert "commands dead: no ROS master" in line(state) and "● " in line(state)
     assert "commands dead" not in line(reduced(state, events.CommandPathChanged(LINK, CommandPath.ALIVE)))
@@ -92,9 +93,13 @@ def test_of_several_links_the_worst_is_shown() -> None:
     state = initial_state(replace(config, robots=[RobotEntry(R0), RobotEntry("robot_1", link="b")]), T0)
     up = (link_up(T0), events.LinkChanged("b", T0, Phase.UP))
     assert "2 of 2 links up" in line(reduced(state, *up))
-    lost = reduced(state, *up, events.LinkChanged("b", T0 + 1, Phase.WAITING, "it closed"), tick(T0 + 1))
+    lost = reduced(
+        state, *up, events.LinkChanged("b", T0 + 1, Phase.WAITING, Message("it closed")), tick(T0 + 1)
+    )
     assert "no link for 0 s, connecting: it closed ws://b:2" in line(lost) and "1 of 2 links up" in line(lost)
-    dead = reduced(state, *up, events.CommandPathChanged("b", CommandPath.DEAD, "gone"), tick(T0 + 1))
+    dead = reduced(
+        state, *up, events.CommandPathChanged("b", CommandPath.DEAD, Message("gone")), tick(T0 + 1)
+    )
     assert "ws://b:2" in line(dead) and "commands dead: gone" in line(dead)
     quiet = reduced(
         state, *up, events.MessageArrived("b", T0), events.MessageArrived(LINK, T0 + 9), tick(T0 + 9)
@@ -218,10 +223,12 @@ def test_notes_on_files_never_push_the_link_out(width: int) -> None:
 @pytest.mark.parametrize("phase", [Phase.UP, Phase.WAITING])
 def test_nor_do_notes_on_this_console(width: int, phase: Phase) -> None:
     state = reduced(fleet(), link_up(T0 - 60), events.MessageArrived(LINK, T0), tick(T0))
-    dead = events.CommandPathChanged(LINK, CommandPath.DEAD, "no reply from the bridge to calls", True)
+    dead = events.CommandPathChanged(
+        LINK, CommandPath.DEAD, Message("no reply from the bridge to calls"), True
+    )
     state = reduced(state, dead, tick(T0 + 1))
     if phase is Phase.WAITING:
-        lost = events.LinkChanged(LINK, T0 + 1, Phase.WAITING, "no answer from the server", T0 + 4)
+        lost = events.LinkChanged(LINK, T0 + 1, Phase.WAITING, Message("no answer from the server"), T0 + 4)
         state = reduced(state, lost, tick(T0 + 30))
     notes = ["ALL PAUSED, R resumes all", "read-only", "not armed", "this console is 12 s behind"]
     shown = text_of(status_line(state, R0, notes, kept=KEPT, width=width))[:width]

@@ -6,6 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from fleet_tui.text.language import Message
 from fleet_tui.view.lines.time import (
     MarkKind,
     ReplayPosition,
@@ -19,9 +20,9 @@ from fleet_tui.view.lines.time import (
 from fleet_tui.view.roles import StyleRole
 from tests.support.fleets import text_of
 
-ALARM = TimeMark(150.0, MarkKind.ALARM, "robot_0 offline")
-COMMAND = TimeMark(150.0, MarkKind.COMMAND, "robot_0 pause")
-GAP = TimeMark(180.0, MarkKind.GAP, "0:30 missing before this")
+ALARM = TimeMark(150.0, MarkKind.ALARM, Message("robot_0 offline"))
+COMMAND = TimeMark(150.0, MarkKind.COMMAND, Message("robot_0 pause"))
+GAP = TimeMark(180.0, MarkKind.GAP, Message("0:30 missing before this"))
 
 
 def moment(at: float = 150.0, **more: Any) -> ReplayPosition:
@@ -41,7 +42,7 @@ def test_spans(seconds: float, text: str) -> None:
 
 @given(st.floats(90, 210), st.integers(1, 200), st.lists(st.floats(90, 210), max_size=5))
 def test_both_lines_fill_their_width_wherever_it_stands(at: float, width: int, marks: list[float]) -> None:
-    marked = [TimeMark(one, MarkKind.ALARM, "x" * 50) for one in sorted(marks)]
+    marked = [TimeMark(one, MarkKind.ALARM, Message("x" * 50)) for one in sorted(marks)]
     lines = time_line(moment(at, marks=marked, note="truncated"), clock, width)
     assert [len(text_of(line)) for line in lines] == [width, width]
 
@@ -93,5 +94,5 @@ def test_a_mark_is_told_while_it_is_news() -> None:
 
 
 def test_words_from_outside_are_shown_as_text() -> None:
-    mark = TimeMark(150.0, MarkKind.ALARM, "\x1b[2Jgone")
+    mark = TimeMark(150.0, MarkKind.ALARM, Message("[2Jgone"))
     assert "␛[2Jgone" in text_of(position_runs(moment(marks=[mark]), clock, 80))

@@ -12,6 +12,7 @@ from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import Role, RouteGraph, Vertex
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.occupancy import build_grid, grid_from_ros
+from fleet_tui.text.language import Message
 from fleet_tui.view.map.floor_scene import JUMP_MARKED, floor_scene, map_owner
 from fleet_tui.view.map.glyphs import robot_tag
 from fleet_tui.view.map.scene import Scene, SceneRobot
@@ -118,7 +119,9 @@ def test_a_robot_inside_a_wall_or_off_the_map_by_more_than_its_size_is_marked() 
 
 
 def test_a_map_that_could_not_be_read_says_why() -> None:
-    found = scene(reduced(fleet(), pose(T0), events.FloorMapLoaded(F0, None, "map a.png: no image a.png")))
+    found = scene(
+        reduced(fleet(), pose(T0), events.FloorMapLoaded(F0, None, Message("map a.png: no image a.png")))
+    )
     assert found.note == "map a.png: no image a.png"
 
 

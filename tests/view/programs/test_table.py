@@ -4,6 +4,7 @@ import pytest
 from hypothesis import given
 
 from fleet_tui.model.programs.program import OLD, ProgramRow, ProgramState, ProgramStatus
+from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.view.programs.table import NONE_CONFIGURED, log_table, note, program_table
 from tests.support.diagnostics import text
 from tests.support.hostile_text import TEXTS, harmless
@@ -25,7 +26,7 @@ def test_a_row_has_state_time_and_restarts() -> None:
         "5",
         "2",
     ]
-    failed = ProgramStatus(ProgramState.FAILED, 100.0, detail="exit status 3")
+    failed = ProgramStatus(ProgramState.FAILED, 100.0, detail=Message("exit status 3"))
     assert line(ProgramRow("nav", "server", status=failed)).split("  ")[-1] == "exit status 3"
 
 
@@ -39,13 +40,13 @@ def test_a_state_that_is_old_is_unknown_with_its_age() -> None:
     shown = line(row, 100.0 + OLD + 20)
     assert "? unknown" in shown and "at 5" not in shown
     assert note(row, 100.0 + OLD + 20) == "running 40 s ago; no answer for 40 s"
-    lost = ProgramStatus(ProgramState.UNKNOWN, 110.0, detail="server can't be reached")
+    lost = ProgramStatus(ProgramState.UNKNOWN, 110.0, detail=Message("server can't be reached"))
     assert (
         note(ProgramRow("p", status=lost, last_known=RUNNING), 112.0)
         == "running 12 s ago; server can't be reached"
     )
     assert note(ProgramRow("p"), 0.0) == "looking ..."
-    assert note(ProgramRow("p", status=RUNNING, pending="stop"), 0.0) == "stop is under way ..."
+    assert note(ProgramRow("p", status=RUNNING, pending=Message("stop")), 0.0) == "stop is under way ..."
 
 
 def test_without_programs_it_says_how_to_configure_one() -> None:
@@ -53,7 +54,7 @@ def test_without_programs_it_says_how_to_configure_one() -> None:
 
 
 @given(TEXTS, TEXTS)
-def test_nothing_from_outside_reaches_the_terminal(detail: str, logged: str) -> None:
+def test_nothing_from_outside_reaches_the_terminal(detail: Message, logged: Message) -> None:
     status = ProgramStatus(ProgramState.FAILED, 0.0, detail=detail)
     assert harmless(line(ProgramRow("p", detail, status=status), 0.0))
     shown = log_table("p", [(1, logged)], 1, detail, logged)
@@ -61,7 +62,7 @@ def test_nothing_from_outside_reaches_the_terminal(detail: str, logged: str) -> 
 
 
 def test_a_log_counts_its_lines_and_says_why_it_is_empty() -> None:
-    assert text(log_table("nav", [(7, "a")], 3, "A", "")) == ["Log of nav 1 of 3 lines, matching A", "a"]
-    assert log_table("nav", [(7, "a")], 3, "", "").keys == [7]
-    assert log_table("nav", [], 3, "x", "").empty == "no matching line"
-    assert log_table("nav", [], 0, "", "tail: not found").empty == "tail: not found"
+    assert text(log_table("nav", [(7, "a")], 3, "A", EMPTY)) == ["Log of nav 1 of 3 lines, matching A", "a"]
+    assert log_table("nav", [(7, "a")], 3, "", EMPTY).keys == [7]
+    assert log_table("nav", [], 3, "x", EMPTY).empty == "no matching line"
+    assert log_table("nav", [], 0, "", Message("tail: not found")).empty == "tail: not found"

@@ -12,6 +12,7 @@ from fleet_tui.model.history.lives import AlarmLife, PastCommand, PastOrder
 from fleet_tui.model.history.totals import BlockedPlace, ChargeTotal
 from fleet_tui.rules.history.division import Division
 from fleet_tui.rules.history.shift import AlarmCause, OrderCounts, RobotShift
+from fleet_tui.text.language import Message
 from fleet_tui.view.report.axis import LocalTime
 from fleet_tui.view.report.content import Claim, Handover, ReportContent
 from fleet_tui.view.report.heat import FloorHeat
@@ -46,7 +47,7 @@ def content(name: str = "robot_0") -> ReportContent:
                 PastOrder(name, "8", f"{name} -> B -> C", "f", 10.0, 20.0, None, "begun", "", name),
                 PastOrder(name, "9", "-> D", "f", 30.0, None, None, "queued", "", ""),
             ],
-            [AlarmLife(name, "offline", "medium", name, 40.0, None, 50.0, None, name, 1)],
+            [AlarmLife(name, Message("offline"), "medium", name, 40.0, None, 50.0, None, name, 1)],
             [Claim(name, name, name)],
         ),
         causes=[AlarmCause(name, "high", 7, 2, 300.0, 90.0, 12.0)],

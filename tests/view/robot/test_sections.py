@@ -7,6 +7,7 @@ from fleet_tui.model.commands import PauseRobot, Stage
 from fleet_tui.model.events import Event, ObstacleReported
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.rules.why.complaints import Complaint
+from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.view.robot.sections import (
     PageSection,
     alarms_section,
@@ -50,7 +51,7 @@ def clock(_wall: float) -> str:
     return "12:00:00"
 
 
-def alarms(state: FleetState, *past: PastAlarm, note: str = "") -> str:
+def alarms(state: FleetState, *past: PastAlarm, note: Message = EMPTY) -> str:
     return text(alarms_section(state, state.robots[R0], past, clock, note))
 
 
@@ -63,7 +64,7 @@ def test_the_state_is_told_even_of_a_calm_robot() -> None:
     assert "State     idle, battery 5 %" in text(state_section(low, low.robots[R0]))
     held = received(ObstacleReported(R0, T0 + 0.4, 54.0), at=T0 + 0.4)
     assert text(state_section(held, held.robots[R0])).count("obstacle 54 s") == 1
-    said = Complaint("drive: ERROR no odometry, wheels slip on a wet floor", "diagnostics", True, T0)
+    said = Complaint(Message("drive: ERROR no odometry, wheels slip on a wet floor"), "diagnostics", True, T0)
     told = text(state_section(calm, calm.robots[R0], [said]))
     assert "Reports   drive: ERROR no odometry, wheels\n          slip on a wet floor\n" in told
     shown = state_section(gone, gone.robots[R0])
@@ -95,19 +96,19 @@ def test_orders_that_wait_are_listed_up_to_a_few_and_an_old_queue_is_marked() ->
 
 def test_alarms_are_those_that_hold_then_those_that_are_over() -> None:
     low = received(battery(T0 + 0.1, 5.0))
-    over = PastAlarm("offline", "off\x1bline", "11:00:00", "11:01:00")
+    over = PastAlarm("offline", Message("offline"), "11:00:00", "11:01:00")
     shown = alarms(low, over).splitlines()
     assert shown[1] == "▲ new  battery 5 % since 12:00:00" and "charger" in shown[2]
     assert shown[3] == "  over 11:00:00 to 11:01:00  off␛line"
     assert "none in this session" in alarms(received())
-    assert "not in a recording" in alarms(received(), note="not in a recording")
+    assert "not in a recording" in alarms(received(), note=Message("not in a recording"))
 
 
 def test_an_alarm_that_waits_for_an_acknowledgement_is_listed_once() -> None:
     low = received(battery(T0 + 0.1, 5.0))
     latched = replace(low, limits=replace(low.limits, latched=None))
     over = reduced(latched, battery(T0 + 1, 80.0), tick(T0 + 1), tick(T0 + 9), battery(T0 + 9), pose(T0 + 9))
-    past = [PastAlarm("battery", f"battery {n} %", "11:00:00", "11:01:00") for n in (5, 7)]
+    past = [PastAlarm("battery", Message("battery {n} %", n=n), "11:00:00", "11:01:00") for n in (5, 7)]
     shown = alarms(over, *past)
     assert "▽ over" in shown and "battery 5 %" not in shown and "battery 7 %" in shown
 

@@ -5,6 +5,7 @@ import pytest
 from fleet_tui.model.routines.blocks import RoutineProblem
 from fleet_tui.model.routines.lane import Gate, Lane, LaneNote, LanePhase, Part, Position
 from fleet_tui.rules.routines.timeline import TimelineEntry
+from fleet_tui.text.language import Message
 from fleet_tui.view.routines.lines import (
     lane_text,
     lane_word,
@@ -20,8 +21,8 @@ PLAN = plan_of("go Base", "wait 30 s", "on failure", "go Store", "end")
 
 def test_nothing_from_a_file_reaches_the_terminal_as_it_is() -> None:
     lines = [
-        problem_line("morning", RoutineProblem(3, "unknown \x1b[2J")),
-        note_text(LaneNote("begun", 1, "go \x1b[2J", "\x07")),
+        problem_line("morning", RoutineProblem(3, Message("unknown [2J"))),
+        note_text(LaneNote(Message("begun"), 1, "go \x1b[2J", Message(""))),
         *timeline_lines([TimelineEntry("r\x1b", 1, "go \x1b", 0.0, None, False)]),
     ]
     assert not any("\x1b" in line or "\x07" in line for line in lines)
@@ -49,13 +50,13 @@ def test_a_timeline_has_each_robot_with_its_times() -> None:
         (Lane("r", (Position(index=1),), LanePhase.WAITING), "waiting", "line 3: wait 30 s"),
         (Lane("r", gate=Gate.PAUSED), "paused", "line 2: go Base"),
         (
-            Lane("r", phase=LanePhase.ORDERED, gate=Gate.HELD, detail="no link"),
+            Lane("r", phase=LanePhase.ORDERED, gate=Gate.HELD, detail=Message("no link")),
             "held",
             "line 2: go Base; its order goes on; no link",
         ),
-        (Lane("r", (Position(Part.FAILURE),), detail="lost"), "running", "line 5: go Store; lost"),
-        (Lane("r", phase=LanePhase.DONE, detail="old"), "done", ""),
-        (Lane("r", phase=LanePhase.FAILED, detail="lost"), "failed", "lost"),
+        (Lane("r", (Position(Part.FAILURE),), detail=Message("lost")), "running", "line 5: go Store; lost"),
+        (Lane("r", phase=LanePhase.DONE, detail=Message("old")), "done", ""),
+        (Lane("r", phase=LanePhase.FAILED, detail=Message("lost")), "failed", "lost"),
     ],
 )
 def test_states(lane: Lane, word: str, text: str) -> None:

@@ -16,10 +16,11 @@ from fleet_tui.model.vehicles.events import VehicleReported
 from fleet_tui.model.vehicles.vehicle import Vehicle, VehicleError
 from fleet_tui.rules.alarms.trouble import waits
 from fleet_tui.rules.history.activity import activities
+from fleet_tui.text.language import Message
 from fleet_tui.view.map.floor_scene import floor_scene
 from fleet_tui.view.map.glyphs import robot_tag
 from fleet_tui.view.selection import Selection
-from fleet_tui.view.tables.doing import OBSTACLE, count_word, counted, doing_text, told_text, word
+from fleet_tui.view.tables.doing import OBSTACLE, count_text, count_word, doing_text, told_text, word
 from fleet_tui.view.tables.fleet import fleet_table
 from tests.support.fleets import F0, R0, T0, battery, fleet, link_up, pose, queue, reduced, text_of, tick
 
@@ -87,7 +88,10 @@ def test_the_type_of_an_error_is_its_makers_word_in_every_language() -> None:
 
 def test_an_emergency_of_a_fleet_and_an_issue_are_told_in_the_row() -> None:
     robot = standing(ordered=False).robots[R0]
-    for member, does in ((Member(mode="emergency"), "blocked"), (Member(issues=("lift_1 silent",)), "idle")):
+    for member, does in (
+        (Member(mode=Message("emergency")), "blocked"),
+        (Member(issues=("lift_1 silent",)), "idle"),
+    ):
         known = replace(robot, member=Reading(member, AT))
         state = reduced(with_robot(standing(ordered=False), known), tick(AT))
         table, said = fleet_table(state, R0, 100), member.mode or member.issues[0]
@@ -106,7 +110,7 @@ def test_title_row_and_page_have_the_same_word(said: str) -> None:
 
 
 def test_several_are_counted_in_the_plural() -> None:
-    assert [counted(n, OBSTACLE) for n in (1, 2)] == ["1 obstacle", "2 obstacles"]
+    assert [count_text(n, OBSTACLE) for n in (1, 2)] == ["1 obstacle", "2 obstacles"]
 
 
 def test_seconds_are_told_of_who_stands_with_an_order_from_a_few_on() -> None:

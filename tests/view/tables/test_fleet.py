@@ -8,6 +8,7 @@ from fleet_tui.model.alarm import Alarm, Condition, Priority
 from fleet_tui.model.commands import PauseRobot, Stage
 from fleet_tui.model.desk import events as desk_events
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.text.language import Message
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.arrangement import NO_MATCH, RowArrangement
 from fleet_tui.view.tables.fleet import CARGO, fleet_table
@@ -66,9 +67,11 @@ def test_never_seen_until_it_speaks() -> None:
 
 
 def test_bad_data_is_marked_even_if_nothing_else_came() -> None:
-    state = reduced(fleet(), events.MessageRejected(R0, "pose"), events.MessageRejected(R0, "pose"))
+    state = reduced(
+        fleet(), events.MessageRejected(R0, Message("pose")), events.MessageRejected(R0, Message("pose"))
+    )
     assert "never seen, bad data x2" in row(state)
-    assert "bad data x1" in row(received(events.MessageRejected(R0, "pose")))
+    assert "bad data x1" in row(received(events.MessageRejected(R0, Message("pose"))))
 
 
 def test_offline_with_its_age_after_the_limit() -> None:
@@ -217,7 +220,7 @@ def test_a_pause_that_did_not_come_from_here_is_told_from_ours() -> None:
 
 
 def test_bad_data_is_in_the_row_as_long_as_it_is_news() -> None:
-    state = received(events.MessageRejected(R0, "/robot_0/pose: nonsense"))
+    state = received(events.MessageRejected(R0, Message("/robot_0/pose: nonsense")))
     assert "bad data x1" in row(state)
     later: list[events.Event] = [pose(T0 + 13), battery(T0 + 13), queue(T0 + 13), tick(T0 + 13)]
     assert "bad data" not in row(reduced(state, *later))
@@ -385,7 +388,7 @@ def test_jumps_of_a_pose_are_no_movement() -> None:
 
 
 def test_a_robot_whose_order_failed_is_not_called_idle() -> None:
-    text = "order 1 -> 2 failed (a stop was missed)"
+    text = Message("order 1 -> 2 failed (a stop was missed)")
     alarm = Alarm(Condition(R0, "order", Priority.MEDIUM, text, text), 0.0, 0.0, T0)
     state = replace(received(), alarms=(alarm,))
     assert "order 1 -> 2 failed" in text_of(fleet_table(state, R0, 150).rows[0].runs)

@@ -5,6 +5,7 @@ from msgspec import structs
 from fleet_tui.model.commands import CancelOrder, PauseRobot, Stage
 from fleet_tui.model.events import CommandAdvanced, CommandIssued, ObstacleReported
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.text.language import Message
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.news import failed_command
 from fleet_tui.view.tables.recent import recent_table
@@ -147,7 +148,7 @@ def test_the_return_of_a_link_stays_with_its_outage_after_its_alarm_is_gone() ->
 
 def test_of_an_order_that_failed_the_alarm_alone_has_the_cause() -> None:
     given = commanded(1, place_order(R0, 1, 2), Stage.SENT, Stage.ACCEPTED, Stage.CONFIRMED, at=T0)
-    end = CommandAdvanced(1, Stage.FAILED, T0 + 1, detail="Failed to find a valid control")
+    end = CommandAdvanced(1, Stage.FAILED, T0 + 1, detail=Message("Failed to find a valid control"))
     failed = reduced(fleet(), link_up(T0), *NAMED, *given, end, tick(T0 + 2))
     told = "order Base -> Store failed"
     assert [alarm.text for alarm in failed.alarms] == [f"{told}: Failed to find a valid control"]

@@ -11,6 +11,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.link import CommandPath
 from fleet_tui.model.order import Order, OrderQueue, Stop, at_vertices
+from fleet_tui.text.language import EMPTY, verbatim
 from fleet_tui.view.lines.commands import message_line
 from fleet_tui.view.lines.status import status_line
 from fleet_tui.view.map.floor_scene import floor_scene
@@ -46,12 +47,12 @@ def facts(text: str) -> list[events.Event]:
         labels({1: text, 2: text[::-1]}),
         pose(T0, frame=text),
         queue(T0, (4, 1, 2, text), (5, 2, 99, text), current=4),
-        events.MessageRejected(R0, text),
+        events.MessageRejected(R0, verbatim(text)),
         events.FrameRejected(LINK, text),
         events.CommandIssued(1, place_order(R0, 1, 2), T0, WALL),
         events.CommandIssued(2, CancelOrder(R0, "4"), T0, WALL),
         events.CommandAdvanced(1, Stage.SENT, T0),
-        events.CommandAdvanced(1, Stage.REFUSED, T0, text),
+        events.CommandAdvanced(1, Stage.REFUSED, T0, verbatim(text)),
         *other_ids(text),
     ]
 
@@ -72,7 +73,7 @@ def other_ids(text: str) -> list[events.Event]:
 def states(text: str) -> Iterable[FleetState]:
     known = reduced(fleet(2), link_up(T0), *facts(text), tick(T0))
     yield known
-    yield reduced(known, events.CommandPathChanged(LINK, CommandPath.DEAD, text), tick(T0 + 1))
+    yield reduced(known, events.CommandPathChanged(LINK, CommandPath.DEAD, verbatim(text)), tick(T0 + 1))
     yield reduced(known, link_lost(T0, text), tick(T0 + 60))
 
 
@@ -84,7 +85,7 @@ def tables(state: FleetState) -> Iterable[Table]:
 
 def lines(state: FleetState) -> Iterable[tuple[Run, ...]]:
     yield status_line(state, R0)
-    yield message_line(state, "", 0.0, 120)
+    yield message_line(state, EMPTY, 0.0, 120)
     for table in tables(state):
         yield table.title
         yield from (row.runs for row in table.rows)

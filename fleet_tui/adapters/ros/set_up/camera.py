@@ -8,6 +8,7 @@ import msgspec
 from fleet_tui.adapters.ros import messages as ros
 from fleet_tui.errors import WireError
 from fleet_tui.model.set_up.streams import CameraImage
+from fleet_tui.text.language import Message
 from fleet_tui.text.limits import LONGEST_NAME, truncate
 from fleet_tui.text.sanitize import sanitize
 
@@ -38,14 +39,18 @@ def read_image(msg: object) -> CameraImage:
         raise WireError("data: neither base64 nor bytes")
     size = len(given) / _BASE64 if isinstance(given, str) else len(given)
     if size > MOST_BYTES + 2:
-        too_large = f"{size / 1e6:.1f} MB a picture, the limit is {MOST_BYTES / 1e6:g} MB: lower its quality"
+        too_large = Message(
+            "{size} MB a picture, the limit is {most_bytes} MB: lower its quality",
+            size=f"{size / 1000000.0:.1f}",
+            most_bytes=f"{MOST_BYTES / 1000000.0:g}",
+        )
         return CameraImage(b"", stamp, too_large)
     data = _bytes(given)
     # Depth as PNG is named by its format alone: its numbers are no colours.
     is_depth = "compresseddepth" in message.format.lower()
     if is_depth or not data.startswith((JPEG, PNG)):
         named = sanitize(truncate(message.format, LONGEST_NAME)) or "unnamed"
-        return CameraImage(b"", stamp, f"format {named} is not shown, only JPEG and PNG")
+        return CameraImage(b"", stamp, Message("format {named} is not shown, only JPEG and PNG", named=named))
     return CameraImage(data, stamp)
 
 

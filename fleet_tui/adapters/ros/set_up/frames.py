@@ -10,6 +10,7 @@ from fleet_tui.adapters.ros import messages as ros
 from fleet_tui.adapters.ros.facts import FARTHEST
 from fleet_tui.errors import WireError
 from fleet_tui.model.set_up.frames import Frames, Transform
+from fleet_tui.text.language import Message
 from fleet_tui.text.limits import LONGEST_NAME, MOST_FRAMES, truncate
 
 UNIT = 0.1
@@ -43,7 +44,7 @@ def read_transforms(msg: object) -> list[TransformStamped]:
     """Read the transforms of a message. Raises WireError if none can be read."""
     faults = list[str]()
     parts: list[TransformStamped] = read_all(
-        _read_one, _read(msg).transforms, "transforms", MOST_FRAMES, faults
+        _read_one, _read(msg).transforms, Message("transforms"), MOST_FRAMES, faults
     )
     if faults and not parts:
         raise WireError(faults[0])

@@ -28,6 +28,7 @@ from fleet_tui.model.kind import (
 )
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up import commands
+from fleet_tui.text.language import Message
 
 if TYPE_CHECKING:
     from fleet_tui.model.set_up.streams import StreamValue
@@ -47,7 +48,7 @@ def solid(pose: Pose) -> Mapping[str, object]:
     """Return a geometry_msgs/Pose, its quaternion of unit length. Raises CommandError for a pose on no
     map."""
     if not is_place(pose.x, pose.y) or not math.isfinite(pose.yaw):
-        raise CommandError("the pose is not finite")
+        raise CommandError(Message("the pose is not finite"))
     half = math.remainder(pose.yaw, math.tau) / 2
     return {
         "position": {"x": pose.x, "y": pose.y, "z": 0.0},
@@ -193,13 +194,13 @@ class SetUpRequests:
         names = self._names
         topic = names.topic(key, robot)
         if not topic:
-            raise CommandError(f"{names.table}.topics.{key} is empty")
+            raise CommandError(Message("{table}.topics.{key} is empty", table=names.table, key=key))
         return (Publication(topic, names.type(key), message),)
 
     def _call(self, key: str, robot: str, request: Mapping[str, object] | None = None) -> tuple[ServiceCall]:
         names = self._names
         service = names.service(key, robot)
         if not service:
-            raise CommandError(f"{names.table}.services.{key} is empty")
+            raise CommandError(Message("{table}.services.{key} is empty", table=names.table, key=key))
         args = names.request(key, {"robot": robot}) if request is None else request
         return (ServiceCall(service, names.service_type(key), args),)

@@ -10,6 +10,7 @@ from fleet_tui.model.commands import Stage
 from fleet_tui.model.kind import GRAPH, MAP_SAVE, POSE_GRAPH_SAVE
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import MAP_NAME, SendGraph, StoreMap
+from fleet_tui.text.language import EMPTY, Message, verbatim
 from fleet_tui.text.limits import truncate
 
 KEYS = {MAP_SAVE: "map_save", POSE_GRAPH_SAVE: "map_pose_graph", GRAPH: "graph_load"}
@@ -26,7 +27,11 @@ def save_request(names: Names, command: StoreMap, robot: Robot) -> Mapping[str, 
     request = names.request(KEYS[command.ability], harmless)
     for what, value in given.items():
         if f"{{{what}}}" in str(request):
-            text = f"{what} {value!r} is no name for a map: up to 64 letters, digits, _ and -"
+            text = Message(
+                "{what} {value} is no name for a map: up to 64 letters, digits, _ and -",
+                what=what,
+                value=f"{value!r}",
+            )
             raise CommandError(text)
     return request
 
@@ -35,19 +40,19 @@ def load_request(names: Names, command: SendGraph) -> Mapping[str, Any]:
     """Return the fields of a request to load the file of a graph. Raises CommandError without a file: the
     robot would load another one."""
     if not command.path:
-        raise CommandError("no file of the graph was written: send it from the graph editor")
+        raise CommandError(Message("no file of the graph was written: send it from the graph editor"))
     values = {"robot": command.robot, "floor": command.floor, "path": command.path}
     return names.request(KEYS[command.ability], values)
 
 
-def judge_saved(names: Names, command: StoreMap | SendGraph, values: object) -> tuple[Stage, str] | None:
+def judge_saved(names: Names, command: StoreMap | SendGraph, values: object) -> tuple[Stage, Message] | None:
     """Return the stage that an answer leads to, which is at most that the robot accepted the request; None if
     the profile names no fields for it, or it has none."""
     wanted = names.answer(KEYS[command.ability])
     if not wanted or not isinstance(values, Mapping) or not values:
         return None
     other = [f"{name} {_said(values.get(name))}" for name in wanted if values.get(name) != wanted[name]]
-    return (Stage.REFUSED, ", ".join(other)) if other else (Stage.ACCEPTED, "")
+    return (Stage.REFUSED, verbatim(", ".join(other))) if other else (Stage.ACCEPTED, EMPTY)
 
 
 def _said(value: object) -> str:

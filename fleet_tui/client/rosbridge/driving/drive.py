@@ -16,6 +16,7 @@ from fleet_tui.errors import CommandError, LinkError, WireError
 from fleet_tui.model.set_up.driving import DrivePhase, DriveState, Speeds, Steering
 from fleet_tui.rules.driving.session import FOREIGN, DriveSession
 from fleet_tui.rules.driving.speed import Caps
+from fleet_tui.text.language import Message, message_of
 from fleet_tui.text.limits import truncate
 from fleet_tui.transports.loop import call_now
 from fleet_tui.transports.rosbridge.connection import Connection
@@ -41,11 +42,19 @@ async def twist_type(calls: Calls, topic: str) -> str:
         ask(calls, "subscribers", {"topic": topic}, "subscribers", WITHIN),
     )
     if not isinstance(type_, str) or not isinstance(nodes, list):
-        raise CommandError(f"rosapi does not tell who listens on {topic}")
+        raise CommandError(Message("rosapi does not tell who listens on {topic}", topic=topic))
     if all(is_bridge(node) for node in nodes):
-        raise CommandError(f"nobody listens on {topic}")
+        raise CommandError(Message("nobody listens on {topic}", topic=topic))
     if is_stamped(type_) is None:
-        raise CommandError(f"{topic} has type {truncate(type_)}, not {TWIST} or {STAMPED_TWIST}")
+        raise CommandError(
+            Message(
+                "{topic} has type {truncate}, not {twist} or {stamped_twist}",
+                topic=topic,
+                truncate=truncate(type_),
+                twist=TWIST,
+                stamped_twist=STAMPED_TWIST,
+            )
+        )
     return type_
 
 
@@ -82,14 +91,16 @@ class Drive:
 
     def _open(self) -> None:
         self._connection.connect()
-        self._timer = self._writer.loop.call_later(OPEN_WITHIN, self._end, "no link: bridge not responding")
+        self._timer = self._writer.loop.call_later(
+            OPEN_WITHIN, self._end, Message("no link: bridge not responding")
+        )
 
     def steer(self, steering: Steering) -> None:
         """Drive as the hand asks; the newest counts."""
         self._steering = steering
         call_now(self._steer, HANDOVER)
 
-    def end(self, reason: str) -> None:
+    def end(self, reason: Message) -> None:
         """Stop the robot and end; the first reason counts. Returns once the zeros left, or soon after."""
         call_now(lambda: self._end(reason), END_WITHIN)
 
@@ -108,13 +119,13 @@ class Drive:
                 message = twist_message(speeds, stamped)
                 self._connection.send(operations.publish(self._topic, self._type, message))
         except LinkError:
-            self._end("link lost")
+            self._end(Message("link lost"))
         if self.state.phase is DrivePhase.ENDED:
             self._shut()
         elif self._session.is_active and self._timer is None:
             self._timer = self._writer.loop.call_later(self._session.next_in, self._tick)
 
-    def _end(self, reason: str) -> None:
+    def _end(self, reason: Message) -> None:
         """Stop and shut. Before the topic is advertised there is nothing to stop."""
         frames = self._session.end(reason)
         if frames and self._type:
@@ -138,7 +149,7 @@ class Drive:
             self._connection.send(operations.subscribe(subscription))
             self._connection.send(operations.advertise_newest(self._topic, type_))
         except (CommandError, LinkError) as problem:
-            self._end(str(problem))
+            self._end(message_of(problem))
             return
         if self.state.phase is DrivePhase.STARTING:
             self._type = type_
@@ -157,7 +168,13 @@ class Drive:
     def on_lost(self, reason: str, next_try_in: float) -> None:
         """End: the robot must stop by itself."""
         self._calls.on_lost()
-        self._end(f"{'link lost' if self._type else 'no link'}: {reason}")
+        self._end(
+            Message(
+                "{value}: {reason}",
+                value=Message("link lost") if self._type else Message("no link"),
+                reason=reason,
+            )
+        )
 
     def on_frame(self, payload: bytes, is_binary: bool) -> None:
         """Take an answer of rosapi, or a frame of the topic."""

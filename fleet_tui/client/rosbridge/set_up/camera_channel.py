@@ -19,7 +19,7 @@ from fleet_tui.config.schema import Link
 from fleet_tui.errors import LinkError
 from fleet_tui.model.events import MessageRejected
 from fleet_tui.model.kind import CAMERA
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import Message, verbatim
 from fleet_tui.text.limits import truncate
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.transports.rosbridge.connection import Connection
@@ -95,13 +95,13 @@ class CameraChannel:
         for feed in self._wanted:
             self._subscribe(feed, "cbor")
 
-    def on_lost(self, reason: str, next_try_in: float) -> None:
+    def on_lost(self, reason: Message, next_try_in: float) -> None:
         """Report that no pictures come."""
         self._cancel_timers()
         if self._calls is not None:
             self._calls.on_lost()
         for feed in self._wanted:
-            self._report(feed, Message("no link for pictures: {reason}", reason=Message(reason)))
+            self._report(feed, Message("no link for pictures: {reason}", reason=reason))
 
     def on_frame(self, payload: bytes, is_binary: bool) -> None:
         """Read a picture, off the loop if it is large; those that arrive meanwhile are dropped."""
@@ -126,7 +126,7 @@ class CameraChannel:
         elif isinstance(read, Sequence):
             for event in read:
                 if isinstance(event, MessageRejected):
-                    self._report_to(event.robot, Message("unreadable: {text}", text=Message(event.text)))
+                    self._report_to(event.robot, Message("unreadable: {text}", text=event.text))
 
     def on_sent(self, payload: bytes) -> None:
         """Do nothing: pictures are not recorded, nor that they were requested."""
@@ -187,7 +187,9 @@ class CameraChannel:
     def _report_to(self, robot: str, reason: str) -> None:
         from fleet_tui.model.set_up.streams import CameraImage  # with numpy: only who watches waits for it
 
-        self._sink.put(robot, CAMERA, CameraImage(b"", None, sanitize(truncate(reason))), time.monotonic())
+        self._sink.put(
+            robot, CAMERA, CameraImage(b"", None, sanitize(verbatim(truncate(reason)))), time.monotonic()
+        )
 
     def _cancel_timers(self) -> None:
         for timer in self._timers.values():

@@ -8,6 +8,7 @@ from fleet_tui.adapters.adapter import Outgoing, Publication, ServiceCall
 from fleet_tui.adapters.ros.type_names import same_type
 from fleet_tui.client.rosbridge.calls import Calls
 from fleet_tui.errors import CommandError, LinkError
+from fleet_tui.text.language import Message
 
 WITHIN = 0.3
 """Seconds for all answers of rosapi, so that no command gets too old; it goes out without them."""
@@ -28,7 +29,7 @@ async def check_listeners(calls: Calls, outgoing: Sequence[Outgoing]) -> None:
             )
             _check_type(one, type_)
             if isinstance(nodes, list) and all(map(is_bridge, nodes)):
-                raise CommandError(f"nobody listens on {one.address}")
+                raise CommandError(Message("nobody listens on {address}", address=one.address))
         elif isinstance(one, ServiceCall):
             _check_type(one, await ask(calls, "service_type", {"service": one.address}, "type"))
 
@@ -40,7 +41,14 @@ def is_bridge(node: object) -> bool:
 
 def _check_type(one: Publication | ServiceCall, found: object) -> None:
     if isinstance(found, str) and found and not same_type(found, one.type):
-        raise CommandError(f"{one.address} has type {found[:100]}, not {one.type}")
+        raise CommandError(
+            Message(
+                "{address} has type {found}, not {type}",
+                address=one.address,
+                found=found[:100],
+                type=one.type,
+            )
+        )
 
 
 async def ask(calls: Calls, question: str, args: Args, field: str, within: float = WITHIN) -> object:

@@ -31,7 +31,7 @@ class Settling:
         store: Store,
         answers: Answers,
         send: Callable[[Command], Sent],
-        advance: Callable[[int, Stage, str], None],
+        advance: Callable[[int, Stage, Message], None],
     ) -> None:
         self._store = store
         self._answers = answers
@@ -63,11 +63,15 @@ class Settling:
             sent_at = time.monotonic()
             try:
                 if self._losses > losses:
-                    raise LinkError("the link was lost")
+                    raise LinkError(Message("the link was lost"))
                 sent = self._send(command)
             except (LinkError, CommandError) as problem:
                 # Never later: what was called before has had its effect, the rest is given up.
-                self._advance(command_id, Stage.UNKNOWN, _failed(poses, command, f"not sent: {problem}"))
+                self._advance(
+                    command_id,
+                    Stage.UNKNOWN,
+                    _failed(poses, command, Message("not sent: {problem}", problem=problem)),
+                )
                 return
 
     def _is_under_way(self, command_id: int) -> bool:
@@ -75,7 +79,7 @@ class Settling:
         return any(one.id == command_id and one.stage is Stage.SENT for one in self._store.state.commands)
 
 
-def _failed(poses: Sequence[Pose | None], command: Settle, detail: str) -> str:
+def _failed(poses: Sequence[Pose | None], command: Settle, detail: Message) -> Message:
     number = len(poses)
     return (
         detail
@@ -84,6 +88,6 @@ def _failed(poses: Sequence[Pose | None], command: Settle, detail: str) -> str:
             "call {number} of at most {calls}: {detail}",
             number=number,
             calls=command.calls,
-            detail=Message(detail),
+            detail=detail,
         )
     )

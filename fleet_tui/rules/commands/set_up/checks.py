@@ -23,7 +23,7 @@ from fleet_tui.model.set_up.commands import (
 from fleet_tui.rules.commands.local_queue import waiting
 from fleet_tui.rules.commands.set_up.mode import mapping_text
 from fleet_tui.situation.motion import is_moving
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import Message, counted
 
 FARTHEST = 1e6
 """Metres from the origin of a map beyond which a pose is a slip of the keyboard."""
@@ -103,14 +103,16 @@ def blocked_goal(state: FleetState, robot: Robot, command: Command) -> Iterator[
     floor = command.floor if isinstance(command, SendGoal) else robot.floor or ""
     grid = map_of(state, robot, floor)
     if grid is None:
-        yield Problem("no map", f"no map of {floor or 'its floor'}: the goal can't be checked", blocks=False)
+        yield Problem(
+            "no map",
+            Message("no map of {floor}: the goal can't be checked", floor=floor or "its floor"),
+            blocks=False,
+        )
     elif (found := class_at(grid, pose.x, pose.y)) != FREE:
-        what = "occupied" if found == OCCUPIED else "unknown ground"
+        what = Message("occupied") if found == OCCUPIED else Message("unknown ground")
         yield Problem(
             "blocked goal",
-            Message(
-                "({x}, {y}) is {what} on the map", x=f"{pose.x:.2f}", y=f"{pose.y:.2f}", what=Message(what)
-            ),
+            Message("({x}, {y}) is {what} on the map", x=f"{pose.x:.2f}", y=f"{pose.y:.2f}", what=what),
         )
 
 
@@ -128,15 +130,21 @@ def busy(state: FleetState, robot: Robot) -> Iterator[Problem]:
     """Check that a robot has no orders: a goal would drive it away from them."""
     count = len(robot.orders.open) + len(waiting(state, robot))
     if count:
-        yield Problem("busy", f"{robot.name} has {count} order{'s' * (count > 1)}: cancel or clear first")
+        yield Problem(
+            "busy",
+            counted(
+                "{name} has {count} order: cancel or clear first",
+                "{name} has {count} orders: cancel or clear first",
+                count,
+                name=robot.name,
+            ),
+        )
 
 
 def mapped(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
     """Check that an order does not drive a robot that maps."""
     if isinstance(command, PlaceOrder | SendGoal) and (text := mapping_text(robot)):
-        yield Problem(
-            "mapping", Message("{name} is {text}", name=robot.name, text=Message(text)), blocks=False
-        )
+        yield Problem("mapping", Message("{name} is {text}", name=robot.name, text=text), blocks=False)
 
 
 def goal_beside_orders(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
@@ -160,7 +168,12 @@ def no_name(state: FleetState, robot: Robot, command: Command) -> Iterator[Probl
 def only_its_goal(state: FleetState, robot: Robot, command: Command) -> Iterator[Problem]:
     """Check that a robot drives no order: the cancellation of all goals would reach the goals of that one."""
     if isinstance(command, CancelGoal) and (count := len(robot.orders.open)):
-        text = f"{robot.name} has {count} order{'s' * (count > 1)}, which it may drive by goals: cancel by id"
+        text = counted(
+            "{name} has {count} order, which it may drive by goals: cancel by id",
+            "{name} has {count} orders, which it may drive by goals: cancel by id",
+            count,
+            name=robot.name,
+        )
         yield Problem("busy", text)
 
 

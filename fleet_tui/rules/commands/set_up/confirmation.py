@@ -23,7 +23,7 @@ from fleet_tui.model.set_up.commands import (
 from fleet_tui.rules.commands.pauses import stopped
 from fleet_tui.rules.commands.set_up.mode import is_in_mode
 from fleet_tui.situation.motion import STANDS_AFTER
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message
 
 SET_WITHIN = 0.5
 SET_TURN = math.radians(15.0)
@@ -45,7 +45,7 @@ def difference(one: Pose, other: Pose) -> tuple[float, float]:
     return math.dist((one.x, one.y), (other.x, other.y)), turn
 
 
-def difference_text(one: Pose, other: Pose) -> str:
+def difference_text(one: Pose, other: Pose) -> Message:
     """Return the difference of two poses in words."""
     metres, turn = difference(one, other)
     return Message("{metres} m and {degrees}°", metres=f"{metres:.2f}", degrees=f"{math.degrees(turn):.0f}")
@@ -79,14 +79,14 @@ def set_up_seen(state: FleetState, robot: Robot, record: CommandRecord, command:
                 state.now,
                 Message(
                     "reported within {difference_text}",
-                    difference_text=Message(difference_text(pose, wanted)),
+                    difference_text=difference_text(pose, wanted),
                 ),
             )
         case SendGoal():
             return _goal_seen(state, robot, record, command)
         case CancelGoal() if record.before.moving:
             return (
-                Step(Stage.CONFIRMED, state.now, "the robot stopped")
+                Step(Stage.CONFIRMED, state.now, Message("the robot stopped"))
                 if stopped(state, robot, record)
                 else None
             )
@@ -106,13 +106,13 @@ def set_up_seen(state: FleetState, robot: Robot, record: CommandRecord, command:
 
 
 def _by_robot(state: FleetState, seen: bool) -> Step | None:
-    return Step(Stage.CONFIRMED, state.now, "by the robot") if seen else None
+    return Step(Stage.CONFIRMED, state.now, Message("by the robot")) if seen else None
 
 
 def _graph_seen(state: FleetState, robot: Robot, command: SendGraph, unseen: Step | None) -> Step | None:
     """Return the evidence for a graph: the robot's own, or its answer if it loads a file."""
     if command.path:
-        return Step(Stage.CONFIRMED, state.now, "the robot has loaded the file") if unseen else None
+        return Step(Stage.CONFIRMED, state.now, Message("the robot has loaded the file")) if unseen else None
     if {"graph", "labels"} <= set(robot.kind.reports):
         return _by_robot(state, _has_graph(robot, command))
     return unseen
@@ -137,18 +137,18 @@ def _goal_seen(state: FleetState, robot: Robot, record: CommandRecord, command: 
     if pose is None or sent is None or robot.standing is None:
         return None
     if is_near(pose, command.pose):
-        return Step(Stage.CONFIRMED, state.now, "the robot is there")
+        return Step(Stage.CONFIRMED, state.now, Message("the robot is there"))
     # One that had moved just before may still be braking.
     if robot.standing.at > sent + (STANDS_AFTER if record.before.moving else 0.0):
-        return Step(Stage.CONFIRMED, state.now, "the robot moves")
+        return Step(Stage.CONFIRMED, state.now, Message("the robot moves"))
     return None
 
 
-def present_graph(robot: Robot, floor: str) -> str:
+def present_graph(robot: Robot, floor: str) -> Message:
     """Return the size of the graph of a floor that a robot has, empty if none was received."""
     now = robot.maps.get(floor)
     if now is None or now.graph is None:
-        return ""
+        return EMPTY
     return counts_text(len(now.graph.vertices), len(now.graph.edges), len(now.labels))
 
 
@@ -161,30 +161,30 @@ def instead_of_set_up(robot: Robot, record: CommandRecord, command: SetUp) -> st
                 return Message("no pose on {floor} received since", floor=floor)
             return Message(
                 "the robot reported a pose {difference_text} from it",
-                difference_text=Message(difference_text(pose, wanted)),
+                difference_text=difference_text(pose, wanted),
             )
         case SendGoal():
-            return "the robot did not move"
+            return Message("the robot did not move")
         case CancelGoal():
-            return "the robot was not seen to stop"
+            return Message("the robot was not seen to stop")
         case StartCharging():
-            return "the robot does not say that it charges"
+            return Message("the robot does not say that it charges")
         case SetMapping():
             return (
                 Message("the robot reports {value}", value=Message(robot.mode.value))
                 if robot.mode
-                else "no mode received"
+                else Message("no mode received")
             )
         case SendGraph() if command.path:
-            return "the robot may have loaded the file or not"
+            return Message("the robot may have loaded the file or not")
         case SendGraph(_, floor):
             present = present_graph(robot, floor)
             return (
-                Message("the robot has {present}", present=Message(present))
+                Message("the robot has {present}", present=present)
                 if present
                 else Message("no graph of {floor} received", floor=floor)
             )
         case Localise() | Settle() | StoreMap():
-            return "no evidence in telemetry"
+            return Message("no evidence in telemetry")
         case _:
             assert_never(command)

@@ -19,15 +19,15 @@ from fleet_tui.model.set_up.commands import (
     StoreMap,
 )
 from fleet_tui.rules.commands.set_up.confirmation import believed, difference_text, present_graph
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message, counted
 from fleet_tui.text.sanitize import sanitize
-from fleet_tui.text.units import age, counted
+from fleet_tui.text.units import age
 
 OLD = 5.0
 """Seconds after which the age of a pose is said."""
 
 
-def _differs(state: FleetState, robot: Robot, pose: Pose) -> Iterator[str]:
+def _differs(state: FleetState, robot: Robot, pose: Pose) -> Iterator[Message]:
     """Yield how far a pose is from what the robot reported itself."""
     if (now := believed(robot)) is None:
         return
@@ -40,50 +40,57 @@ def _differs(state: FleetState, robot: Robot, pose: Pose) -> Iterator[str]:
             age=age(state.now - now.at),
         )
         return
-    since = Message(", reported {age} ago", age=age(state.now - now.at)) if is_old else ""
-    yield Message("{differs} from its present pose{since}", differs=differs, since=Message(since))
+    since = Message(", reported {age} ago", age=age(state.now - now.at)) if is_old else EMPTY
+    yield Message("{differs} from its present pose{since}", differs=differs, since=since)
 
 
-def set_up_losses(state: FleetState, robot: Robot, command: SetUp) -> Iterator[str]:
+def set_up_losses(state: FleetState, robot: Robot, command: SetUp) -> Iterator[Message]:
     """Return the question and the difference to now, one line each; empty for a harmless command."""
     match command:
         case SetPose(name, floor, pose):
-            yield Message("{name}: {text} on {floor}?", name=name, text=Message(command.text), floor=floor)
+            yield Message("{name}: {text} on {floor}?", name=name, text=command.text, floor=floor)
             yield from _differs(state, robot, pose)
         case Localise(name):
             yield Message("{name}: forget its pose and search on the whole map?", name=name)
         case CancelGoal(name):
             yield Message("{name}: cancel its goal?", name=name)
         case SetMapping(name, on):
-            yield f"{name}: {command.text}?"
+            yield Message("{name}: {command}?", name=name, command=command.text)
             if on:
-                yield "its live map replaces the known one until mapping is off"
+                yield Message("its live map replaces the known one until mapping is off")
         case StoreMap(name):
-            yield f"{name}: {command.text}?"
-            yield "one of that name on the robot is replaced"
+            yield Message("{name}: {command}?", name=name, command=command.text)
+            yield Message("one of that name on the robot is replaced")
         case SendGraph(name, floor):
-            yield f"{name}: {command.text}?"
-            yield f"replaces {present_graph(robot, floor) or f'its graph of {floor}, which is unknown here'}"
+            yield Message("{name}: {command}?", name=name, command=command.text)
+            present = present_graph(robot, floor)
+            unknown = Message("its graph of {floor}, which is unknown here", floor=floor)
+            yield Message("replaces {present}", present=present or unknown)
             yield from _file_lines(state, robot, command)
             count = len(robot.orders.open)
-            too = f", {count} open order{'s' * (count != 1)} too" if count else ""
-            yield Message("orders are driven on it from then on{too}", too=Message(too))
+            too = counted(", {count} open order too", ", {count} open orders too", count) if count else ""
+            yield Message("orders are driven on it from then on{too}", too=too)
         case Settle() | SendGoal() | StartCharging():
             return
         case _:
             assert_never(command)
 
 
-def _file_lines(state: FleetState, robot: Robot, command: SendGraph) -> Iterator[str]:
+def _file_lines(state: FleetState, robot: Robot, command: SendGraph) -> Iterator[Message]:
     """Return the file that is written for a robot which loads it, and the robots that do not load it now."""
     if not command.path:
         return
-    kept = ", the old file is kept as .bak" if command.is_kept else ""
-    yield Message("writes {path}{kept}", path=sanitize(command.path), kept=Message(kept))
+    kept = Message(", the old file is kept as .bak") if command.is_kept else EMPTY
+    yield Message("writes {path}{kept}", path=sanitize(command.path), kept=kept)
     others = [
         one
         for one in state.robots.values()
         if one is not robot and command.floor in one.maps and one.kind.loads_graphs
     ]
     if others:
-        yield f"{counted(len(others), 'other robot')} of {command.floor}: send it to each, too"
+        yield counted(
+            "{count} other robot of {floor}: send it to each, too",
+            "{count} other robots of {floor}: send it to each, too",
+            len(others),
+            floor=command.floor,
+        )

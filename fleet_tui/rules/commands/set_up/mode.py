@@ -1,9 +1,9 @@
 """The mode of a robot: by its own report, else as this console switched it."""
 
 from fleet_tui.model.robot import Robot
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message
 
-MAPPING_MODE = "mapping"
+MAPPING_MODE = Message("mapping")
 NAVIGATION_MODE = "navigation"
 """Words of this console for the two modes. Any other word is the robot's own."""
 
@@ -15,10 +15,8 @@ def is_in_mode(robot: Robot, mapping: bool, since: float | None) -> bool:
     return (robot.mode.value == MAPPING_MODE) is mapping
 
 
-def mapping_text(robot: Robot) -> str:
+def mapping_text(robot: Robot) -> Message:
     """Return `mapping`, `mapping (by us)` if only this console's own command is known, empty for neither."""
     if robot.mode is not None:
-        return MAPPING_MODE if robot.mode.value == MAPPING_MODE else ""
-    return (
-        Message("{MAPPING_MODE} (by us)", MAPPING_MODE=Message(MAPPING_MODE)) if robot.mapping_by_us else ""
-    )
+        return MAPPING_MODE if robot.mode.value == MAPPING_MODE else EMPTY
+    return Message("{MAPPING_MODE} (by us)", MAPPING_MODE=MAPPING_MODE) if robot.mapping_by_us else EMPTY

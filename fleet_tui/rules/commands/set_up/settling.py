@@ -6,8 +6,7 @@ from collections.abc import Sequence
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.set_up.confirmation import believed, difference, difference_text
-from fleet_tui.text.language import Message
-from fleet_tui.text.units import counted
+from fleet_tui.text.language import EMPTY, Message, counted
 
 SAME = 0.02
 SAME_TURN = math.radians(1.0)
@@ -30,26 +29,26 @@ def is_settled(poses: Sequence[Pose | None]) -> bool:
     return metres <= SAME and turn <= SAME_TURN
 
 
-def settling_text(poses: Sequence[Pose | None]) -> str:
+def settling_text(poses: Sequence[Pose | None]) -> Message:
     """Return the number of calls and their effect in words."""
-    calls, (before, after) = counted(len(poses) - 1, "call"), poses[-2:]
+    calls, (before, after) = counted("{count} call", "{count} calls", len(poses) - 1), poses[-2:]
     if after is None:
-        return Message("{calls}, no pose reported since", calls=Message(calls))
+        return Message("{calls}, no pose reported since", calls=calls)
     if before is None or poses[0] is None:
-        return Message("{calls}, pose reported", calls=Message(calls))
-    still = "" if is_settled(poses) else "still "
+        return Message("{calls}, pose reported", calls=calls)
+    still = EMPTY if is_settled(poses) else Message("still ")
     last = (
         Message(
             ", {still}by {difference_text} at the last",
-            still=Message(still),
-            difference_text=Message(difference_text(before, after)),
+            still=still,
+            difference_text=difference_text(before, after),
         )
         if len(poses) > 2
         else ""
     )
     return Message(
         "{calls}, pose changed by {difference_text}{last}",
-        calls=Message(calls),
-        difference_text=Message(difference_text(poses[0], after)),
+        calls=calls,
+        difference_text=difference_text(poses[0], after),
         last=last,
     )

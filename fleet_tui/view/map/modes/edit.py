@@ -11,7 +11,7 @@ from fleet_tui.model.graph import Role
 from fleet_tui.model.graphs.document import DocumentEdge, DocumentFloor, DocumentVertex
 from fleet_tui.model.graphs.draft import Change
 from fleet_tui.model.graphs.live import role_of
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import EMPTY, tr, translate
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.map.layers import draw_cursor
 from fleet_tui.view.map.modes.mode import place_text
@@ -33,7 +33,7 @@ class EditMode:
 
     def __init__(self, floor: DocumentFloor, cursor: Point, roles: Callable[[str], Role] = role_of) -> None:
         self.cursor = cursor
-        self.note = ""
+        self.note = EMPTY
         self._roles = roles
         self._made = dict[str, SceneVertex]()
         self._lines = dict[str, Line]()
@@ -102,12 +102,13 @@ class EditMode:
     def banner(self, shown: str) -> str:
         """Return the cursor's place, the counts, and the distance from the selected vertex."""
         place = place_text(tr("EDIT"), self.floor.name, shown, self.cursor)
-        text = " ".join(filter(None, (place, tr(self.note))))
+        text = " ".join(filter(None, (place, translate(self.note))))
         if self.selected:
             vertex = self.floor.vertices[self.selected]
             away = math.dist((vertex.x, vertex.y), self.cursor)
             name = sanitize(vertex.label or vertex.id)
-            text += f", {tr('moving') if self.held else tr('from')} {name} {away:.1f} m"
+            does = tr("moving") if self.held else tr("from")
+            text += f", {does} {name} {away:.1f} m"
         return text
 
     def adjusted(self, scene: Scene) -> Scene:

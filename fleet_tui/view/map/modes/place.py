@@ -4,7 +4,7 @@ import math
 from dataclasses import replace
 
 from fleet_tui.model.geometry import Pose
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import EMPTY, Message, tr, translate
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.cells import Cells
@@ -27,11 +27,11 @@ class PlaceMode(PlainMode):
 
     points = False
 
-    def __init__(self, title: str, robot: str, floor: str, pose: Pose, moves_scan: bool = False) -> None:
+    def __init__(self, title: Message, robot: str, floor: str, pose: Pose, moves_scan: bool = False) -> None:
         self.title = title
         self.robot = robot
         self.floor = floor
-        self.note = ""
+        self.note = EMPTY
         self.moves_scan = moves_scan
         self.put(pose)
         self.layers: tuple[Layer, ...] = (self._draw,)
@@ -42,9 +42,9 @@ class PlaceMode(PlainMode):
 
     def banner(self, shown: str) -> str:
         """Return the chosen pose: its place and match first, the heading is seen on the map, too."""
-        place = place_text(tr(self.title), self.floor, shown, self.cursor)
+        place = place_text(translate(self.title), self.floor, shown, self.cursor)
         degrees = tr("{degrees} degrees", degrees=round(math.degrees(self.yaw)) + 0)
-        return ", ".join(filter(None, (place, tr(self.note), degrees, sanitize(self.robot))))
+        return ", ".join(filter(None, (place, translate(self.note), degrees, sanitize(self.robot))))
 
     def adjusted(self, scene: Scene) -> Scene:
         """Return the scene with the laser scan as it would lie with the robot at the chosen pose."""

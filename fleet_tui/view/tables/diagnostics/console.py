@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 
 from msgspec import Struct
 
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import N_, tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import milliseconds, size_text
 from fleet_tui.view.roles import StyleRole
@@ -35,17 +35,15 @@ def _spread(spread: Spread | None) -> str:
     if spread is None:
         return tr("not measured yet")
     median, most, longest = map(milliseconds, spread)
-    return tr("{median}, 95 % within {most}, max {longest}", median=median, most=tr(most), longest=longest)
+    return tr("{median}, 95 % within {most}, max {longest}", median=median, most=most, longest=longest)
 
 
 def _facts(facts: OwnFacts) -> Iterator[tuple[str, str, StyleRole]]:
     over = facts.tick is not None and facts.tick[1] > facts.budget
-    budget = tr(
-        "  budget {milliseconds} exceeded" if over else "  budget {milliseconds}",
-        milliseconds=milliseconds(facts.budget),
-    )
-    yield "tick", _spread(facts.tick) + budget, StyleRole.WARN if over else StyleRole.TEXT
-    yield "encoding", _spread(facts.paint), StyleRole.TEXT
+    limit = milliseconds(facts.budget)
+    budget = tr("  budget {limit} exceeded", limit=limit) if over else tr("  budget {limit}", limit=limit)
+    yield N_("tick"), _spread(facts.tick) + budget, StyleRole.WARN if over else StyleRole.TEXT
+    yield N_("encoding"), _spread(facts.paint), StyleRole.TEXT
     sent = tr(
         "{pictures} frames/s, {size_text}/s",
         pictures=f"{facts.pictures:.1f}",
@@ -54,7 +52,7 @@ def _facts(facts: OwnFacts) -> Iterator[tuple[str, str, StyleRole]]:
     held = tr(", none held back")
     if facts.held:
         held = tr(", {held} held back: terminal not reading", held=f"{facts.held:,}")
-    yield "terminal", sent + held, StyleRole.TEXT
+    yield N_("terminal"), sent + held, StyleRole.TEXT
     memory = tr("not available on this system")
     if facts.memory is not None and facts.peak is not None:
         memory = tr(
@@ -62,8 +60,12 @@ def _facts(facts: OwnFacts) -> Iterator[tuple[str, str, StyleRole]]:
             size_text=size_text(facts.memory),
             size_text2=size_text(facts.peak),
         )
-    yield "memory", memory, StyleRole.TEXT
-    yield "process", tr("{threads} threads, uptime {up}", threads=facts.threads, up=facts.up), StyleRole.TEXT
+    yield N_("memory"), memory, StyleRole.TEXT
+    yield (
+        N_("process"),
+        tr("{threads} threads, uptime {up}", threads=facts.threads, up=facts.up),
+        StyleRole.TEXT,
+    )
 
 
 def console_table(facts: OwnFacts, log: Sequence[str], wanted: str) -> Table:
@@ -73,8 +75,10 @@ def console_table(facts: OwnFacts, log: Sequence[str], wanted: str) -> Table:
     ]
     sought = wanted.casefold()
     lines = [line for line in reversed(log) if sought in line.casefold()]
-    note = f"log, newest first: {len(lines)} of {len(log)} lines" + (f", matching {wanted}" if wanted else "")
-    above.append(Row("log", ((f"── {tr(sanitize(note))}", StyleRole.DIM),)))
+    note = tr("log, newest first: {count} of {lines} lines", count=len(lines), lines=len(log))
+    if wanted:
+        note += tr(", matching {wanted}", wanted=wanted)
+    above.append(Row("log", ((f"── {sanitize(note)}", StyleRole.DIM),)))
 
     def row(n: int) -> Row:
         if n < len(above):

@@ -5,7 +5,7 @@ from collections.abc import Collection, Hashable, Iterator, Mapping
 
 from fleet_tui.model.order import natural
 from fleet_tui.model.ros_logs import Health, PartDiagnosis
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import tr, translate
 from fleet_tui.text.sanitize import fit, sanitize
 from fleet_tui.text.units import ago
 from fleet_tui.view.roles import StyleRole
@@ -58,7 +58,9 @@ def health_table(links: Links, opened: Collection[Hashable], wanted: str, now: f
 def _rows(key: Hashable, one: PartDiagnosis, names: int, is_open: bool, now: float) -> Iterator[Row]:
     word, role = _look(one.level)
     is_old = now - one.at > OLD
-    came = f"{tr('old, ') if is_old else ''}{tr(ago(one.at, now))}"
+    came = translate(ago(one.at, now))
+    if is_old:
+        came = tr("old, {ago}", ago=came)
     yield Row(
         key,
         (

@@ -7,7 +7,7 @@ from fleet_tui.model.counters import LinkCounter
 from fleet_tui.model.link import CommandPath, LinkState, Phase
 from fleet_tui.situation.facts import LATE_LINK
 from fleet_tui.situation.links import is_late
-from fleet_tui.text.language import Message, tr
+from fleet_tui.text.language import N_, counted, tr, translate
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import age, ago, duration, milliseconds, size_text
 from fleet_tui.view.history.bars import level
@@ -46,7 +46,7 @@ def link_table(links: Links, now: float) -> Table:
         rows += [
             Row(
                 (link.name, name),
-                ((f"  {tr(name):<14}", StyleRole.DIM), *((tr(text), role) for text, role in runs)),
+                ((f"  {tr(name):<14}", StyleRole.DIM), *runs),
             )
             for name, runs in _fields(link, counter, now)
         ]
@@ -54,51 +54,54 @@ def link_table(links: Links, now: float) -> Table:
 
 
 def _fields(link: LinkState, counter: LinkCounter, now: float) -> Iterator[tuple[str, tuple[Run, ...]]]:
-    yield "state", (_state(link, now),)
-    yield "commands", (_commands(link, counter.round_trips.at, now),)
-    yield "round trip", tuple(_round_trip(counter, now))
+    yield N_("state"), (_state(link, now),)
+    yield N_("commands"), (_commands(link, counter.round_trips.at, now),)
+    yield N_("round trip"), tuple(_round_trip(counter, now))
     took = counter.round_trips.took
     if len(took) > 1:
         curve = "".join(level(one / max(took)) for one in took)
         yield (
-            "trend",
+            N_("trend"),
             (
                 (curve, StyleRole.DIM),
-                (Message(" up to {milliseconds}", milliseconds=milliseconds(max(took))), StyleRole.DIM),
+                (tr(" up to {milliseconds}", milliseconds=milliseconds(max(took))), StyleRole.DIM),
             ),
         )
     messages, size = counter.all.rates(now) or (0.0, 0.0)
-    total = Message(
+    total = tr(
         ", {count} and {size_text} in total",
         count=f"{counter.all.count:,}",
         size_text=size_text(counter.all.bytes),
     )
-    late = f"{duration(link.late)}: {LATE_LINK.word}" if is_late(link) else duration(link.late)
-    yield "late by", ((late, StyleRole.WARN if is_late(link) else StyleRole.TEXT),)
-    yield "messages", ((f"{messages:.1f} /s, {size_text(size)}/s", StyleRole.TEXT), (total, StyleRole.DIM))
+    late = duration(link.late) + (f": {translate(LATE_LINK.word)}" if is_late(link) else "")
+    yield N_("late by"), ((late, StyleRole.WARN if is_late(link) else StyleRole.TEXT),)
+    yield (
+        N_("messages"),
+        ((f"{messages:.1f} /s, {size_text(size)}/s", StyleRole.TEXT), (total, StyleRole.DIM)),
+    )
     at = counter.all.at
     silent = at is None or now - at > 2.0
     if told := _rates(counter):
-        yield "rates", ((told, StyleRole.TEXT),)
-    yield "last message", ((ago(at, now), StyleRole.WARN if silent else StyleRole.TEXT),)
-    yield "connections", tuple(_connections(counter, now))
-    yield "dropped", (_count(counter.dropped, "frames: too large, or queue full"),)
+        yield N_("rates"), ((told, StyleRole.TEXT),)
+    yield N_("last message"), ((translate(ago(at, now)), StyleRole.WARN if silent else StyleRole.TEXT),)
+    yield N_("connections"), tuple(_connections(counter, now))
+    yield N_("dropped"), (_count(counter.dropped, tr("frames: too large, or queue full")),)
     yield (
-        "superseded",
-        (_count(counter.overtaken, "frames: replaced by newer ones"),),
+        N_("superseded"),
+        (_count(counter.overtaken, tr("frames: replaced by newer ones")),),
     )
     why = (
-        Message(
+        tr(
             "frames, last {ago}: {text}",
-            ago=Message(ago(counter.bad.raw.at, now)),
-            text=Message(counter.bad.text),
+            ago=ago(counter.bad.raw.at, now),
+            text=counter.bad.text,
         )
         if counter.bad
-        else "frames"
+        else tr("frames")
     )
-    yield "unreadable", (_count(counter.unreadable, why),)
+    yield N_("unreadable"), (_count(counter.unreadable, why),)
     errors = sum(topic.errors for topic in counter.topics.values())
-    yield "bad data", (_count(errors, "messages: see Topics" if errors else "messages"),)
+    yield N_("bad data"), (_count(errors, tr("messages: see Topics") if errors else tr("messages")),)
 
 
 def _rates(counter: LinkCounter) -> str:
@@ -107,92 +110,94 @@ def _rates(counter: LinkCounter) -> str:
     asked = Counter(topic.asked_ms for topic in poses if topic.asked_ms)
     if len(asked) < 2:
         return ""
-    return "poses: " + ", ".join(f"{count} at {1000 / ms:g} Hz" for ms, count in sorted(asked.items()))
+    rates = (
+        tr("{count} at {rate} Hz", count=count, rate=f"{1000 / ms:g}") for ms, count in sorted(asked.items())
+    )
+    return tr("poses: {rates}", rates=", ".join(rates))
 
 
 def _state(link: LinkState, now: float) -> Run:
     lasted = age(now - link.since)
     if link.phase is Phase.UP:
-        return Message("● up for {lasted}", lasted=lasted), StyleRole.GOOD
-    trying = "connecting"
+        return tr("● up for {lasted}", lasted=lasted), StyleRole.GOOD
+    trying = tr("connecting")
     if link.phase is Phase.WAITING and link.next_try is not None:
-        trying = Message("retry in {value} s", value=f"{max(0.0, link.next_try - now):.0f}")
-    why = f": {sanitize(link.reason)}" if link.reason else ""
-    return Message(
-        "○ no link for {lasted}{why}, {trying}", lasted=lasted, why=Message(why), trying=Message(trying)
-    ), StyleRole.ALARM
+        trying = tr("retry in {value} s", value=f"{max(0.0, link.next_try - now):.0f}")
+    why = f": {translate(sanitize(link.reason))}" if link.reason else ""
+    return tr("○ no link for {lasted}{why}, {trying}", lasted=lasted, why=why, trying=trying), StyleRole.ALARM
 
 
 def _commands(link: LinkState, replied_at: float | None, now: float) -> Run:
     """Return whether commands get through: not without a reply to the heartbeats for a while."""
     if link.command_path is CommandPath.ALIVE and replied_at is not None and now - replied_at > LATE:
-        return Message("▲ replies late {age}", age=age(now - replied_at)), StyleRole.WARN
+        return tr("▲ replies late {age}", age=age(now - replied_at)), StyleRole.WARN
     match link.command_path:
         case CommandPath.ALIVE if link.command_reason:
-            return f"○ {tr(sanitize(link.command_reason))}", StyleRole.WARN
+            return f"○ {translate(sanitize(link.command_reason))}", StyleRole.WARN
         case CommandPath.ALIVE:
-            return "● ok", StyleRole.GOOD
+            return tr("● ok"), StyleRole.GOOD
         case CommandPath.DEAD:
-            return Message(
-                "✗ dead: {command_reason}", command_reason=Message(sanitize(link.command_reason))
+            return tr(
+                "✗ dead: {command_reason}", command_reason=sanitize(link.command_reason)
             ), StyleRole.ALARM
         case CommandPath.UNREGISTERED:
-            return f"▲ {tr(sanitize(link.command_reason))}", StyleRole.ALARM
+            return f"▲ {translate(sanitize(link.command_reason))}", StyleRole.ALARM
         case CommandPath.UNTRIED:
-            return "○ not tried yet", StyleRole.WARN
+            return tr("○ not tried yet"), StyleRole.WARN
 
 
 def _round_trip(counter: LinkCounter, now: float) -> Iterator[Run]:
     trips = counter.round_trips
     took = trips.took
     if not took:
-        yield "no heartbeat reply yet", StyleRole.WARN
+        yield tr("no heartbeat reply yet"), StyleRole.WARN
     else:
         late = trips.at is None or now - trips.at > LATE
-        newest = f"{milliseconds(took[-1])}, {ago(trips.at, now)}"
+        newest = f"{milliseconds(took[-1])}, {translate(ago(trips.at, now))}"
         yield (
-            Message("{newest}: overdue", newest=Message(newest)) if late else newest,
+            tr("{newest}: overdue", newest=newest) if late else newest,
             StyleRole.WARN if late else StyleRole.TEXT,
         )
-        spread = Message(
+        spread = tr(
             "{milliseconds} to {milliseconds2}",
             milliseconds=milliseconds(min(took)),
             milliseconds2=milliseconds(max(took)),
         )
         mean = milliseconds(sum(took) / len(took))
-        jitter = (
-            Message(", jitter {milliseconds}", milliseconds=milliseconds(trips.jitter)) if took[1:] else ""
-        )
+        jitter = tr(", jitter {milliseconds}", milliseconds=milliseconds(trips.jitter)) if took[1:] else ""
         yield (
-            Message(
+            tr(
                 "  last {took}: {spread}, mean {mean}{jitter}",
                 took=len(took),
                 spread=spread,
                 mean=mean,
-                jitter=Message(jitter),
+                jitter=jitter,
             ),
             StyleRole.DIM,
         )
     if trips.unanswered:
-        yield Message("  {unanswered} unanswered", unanswered=trips.unanswered), StyleRole.WARN
+        yield tr("  {unanswered} unanswered", unanswered=trips.unanswered), StyleRole.WARN
 
 
 def _connections(counter: LinkCounter, now: float) -> Iterator[Run]:
     if not counter.connections:
-        yield "none yet", StyleRole.DIM
+        yield tr("none yet"), StyleRole.DIM
         return
     again = counter.connections - 1
-    yield f"{again} reconnect{'s' * (again != 1)}", StyleRole.WARN if again else StyleRole.TEXT
+    yield (
+        translate(counted("{count} reconnect", "{count} reconnects", again)),
+        StyleRole.WARN if again else StyleRole.TEXT,
+    )
     if counter.lost_at is not None:
         yield (
-            Message(
+            tr(
                 ", last lost {ago}: {lost_why}",
-                ago=Message(ago(counter.lost_at, now)),
-                lost_why=Message(sanitize(counter.lost_why)),
+                ago=ago(counter.lost_at, now),
+                lost_why=sanitize(counter.lost_why),
             ),
             StyleRole.DIM,
         )
 
 
 def _count(count: int, what: str) -> Run:
-    return f"{count:,} {tr(sanitize(what))}", StyleRole.WARN if count else StyleRole.DIM
+    return f"{count:,} {sanitize(what)}", StyleRole.WARN if count else StyleRole.DIM

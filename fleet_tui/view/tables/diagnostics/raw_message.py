@@ -11,7 +11,7 @@ import msgspec
 
 from fleet_tui.adapters.ros.cbor import read_cbor
 from fleet_tui.model.counters import Raw, TopicCounter
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import Message, joined, tr, translate
 from fleet_tui.text.limits import truncate
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import ago, size_text
@@ -62,14 +62,14 @@ def raw_table(topic: TopicCounter, raw: Raw | None, why: str, now: float) -> Tab
     title = [(tr("Raw "), StyleRole.TITLE), (sanitize(topic.topic), StyleRole.TEXT)]
     if raw is None:
         return Table(tuple(title), (), tr("no bad message") if why else tr("nothing received yet"))
-    kind = "CBOR" if raw.is_binary else "JSON"
+    kind = Message("CBOR") if raw.is_binary else Message("JSON")
     title.append(
         (
             tr(
                 "  {ago}, {size_text} of {kind}",
-                ago=tr(ago(raw.at, now)),
+                ago=translate(ago(raw.at, now)),
                 size_text=size_text(raw.size),
-                kind=tr(kind),
+                kind=translate(kind),
             ),
             StyleRole.DIM,
         )
@@ -140,12 +140,12 @@ def _inline(value: Any) -> str:
     if isinstance(value, list):
         if any(isinstance(item, dict | list) for item in value[:SHOWN_ITEMS]):
             return f"[… {len(value):,}]"
-        shown = ", ".join(map(_scalar, value[:SHOWN_ITEMS]))
+        shown = joined(", ", map(_scalar, value[:SHOWN_ITEMS]))
         left_out = len(value) - SHOWN_ITEMS
         return (
             tr(
                 "[{shown}, … {left_out} more of {value}]",
-                shown=tr(shown),
+                shown=translate(shown),
                 left_out=f"{left_out:,}",
                 value=f"{len(value):,}",
             )

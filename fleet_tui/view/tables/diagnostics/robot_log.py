@@ -7,7 +7,7 @@ from textwrap import wrap
 from fleet_tui.model.counters import snapshot
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.ros_logs import LogLine, Severity
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import Message, tr, translate
 from fleet_tui.text.sanitize import cell_width, fit, sanitize
 from fleet_tui.text.units import ago
 from fleet_tui.view.roles import StyleRole
@@ -22,7 +22,7 @@ _LOOKS = {
     Severity.FATAL: ("✗ FATAL", StyleRole.ALARM),
 }
 
-NOTHING = "nothing received on /rosout (subscribed while this screen is open)"
+NOTHING = Message("nothing received on /rosout (subscribed while this screen is open)")
 INDENT = 4
 """Cells before the lines of a whole message."""
 
@@ -111,10 +111,8 @@ def robot_log_table(
 
     rows = LateRows([key for key, _, _ in shown], row)
     note = _filters(least, wanted) + (
-        tr(", last {ago}", ago=tr(ago(_wall(lines[-1], offset), state.wall))) if lines else ""
+        tr(", last {ago}", ago=translate(ago(_wall(lines[-1], offset), state.wall))) if lines else ""
     )
-    counts = tr(
-        " /rosout  {found} of {lines} lines, {note}", found=len(found), lines=len(lines), note=tr(note)
-    )
+    counts = tr(" /rosout  {found} of {lines} lines, {note}", found=len(found), lines=len(lines), note=note)
     title = (tr("Robot log"), StyleRole.TITLE), (counts, StyleRole.DIM), *down(links)
-    return Table(title, rows, tr("no matching line") if lines else tr(NOTHING))
+    return Table(title, rows, tr("no matching line") if lines else translate(NOTHING))

@@ -6,7 +6,7 @@ from fleet_tui.model.counters import TopicCounter
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import LinkState, Phase
 from fleet_tui.situation.links import is_late
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import tr, translate
 from fleet_tui.text.sanitize import fit, sanitize
 from fleet_tui.text.units import ago, size_text
 from fleet_tui.view.roles import StyleRole
@@ -53,7 +53,7 @@ def topic_state(link: LinkState, topic: TopicCounter, now: float, silent_after: 
     if now - topic.at > silent_after:
         return tr("○ silent"), StyleRole.WARN
     if is_late(link):
-        return tr("▲ slow" if _is_slow(topic, now) else "▲ late"), StyleRole.WARN
+        return tr("▲ slow") if _is_slow(topic, now) else tr("▲ late"), StyleRole.WARN
     return tr("● live"), StyleRole.GOOD
 
 
@@ -109,7 +109,15 @@ def topic_table(
 
 
 def _head(names: int, bad: int, has_sizes: bool) -> tuple[Run, ...]:
-    words = map(tr, ("State", "Topic", "Rate", "At most", "Last", "Bytes", "Messages"))
+    words = (
+        tr("State"),
+        tr("Topic"),
+        tr("Rate"),
+        tr("At most"),
+        tr("Last"),
+        tr("Bytes"),
+        tr("Messages"),
+    )
     state, topic, rate, most, last, size, count = words
     heads = f"{state:<17}{last:>10} {topic:<{names}} {rate:>8} {most:>8} {'':{bad}}"
     heads += f"{size:>9} {count:>8}" * has_sizes
@@ -146,7 +154,10 @@ def _runs(
     errors = tr("{errors} bad", errors=f"{topic.errors:,}") if topic.errors else ""
     runs = [
         (f"{word:<17}", role),
-        (f"{tr(ago(topic.at, now)):>10} ", StyleRole.WARN if role is StyleRole.WARN else StyleRole.TEXT),
+        (
+            f"{translate(ago(topic.at, now)):>10} ",
+            StyleRole.WARN if role is StyleRole.WARN else StyleRole.TEXT,
+        ),
         (fit(_shortened(sanitize(topic.topic), names), names) + " ", StyleRole.TEXT),
         (f"{rate:>8} ", StyleRole.TEXT),
         (f"{asked_rate(topic.asked_ms):>8} ", StyleRole.DIM),

@@ -9,6 +9,7 @@ from fleet_tui.adapters.profile import DriveConfig
 from fleet_tui.model.set_up.driving import STILL, DrivePhase, Steering
 from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.server import RosbridgeServer
+from fleet_tui.text.language import Message
 from tests.support.driving import AHEAD, R0, TOPIC, driving
 from tests.support.fault_proxy import before
 
@@ -53,13 +54,13 @@ async def test_the_bridge_keeps_one_frame_alone_and_the_connection_is_shut_in_th
         (advertised,) = [one for one in server.bridge.received if one["op"] == "advertise"]
         assert (advertised["topic"], advertised["queue_size"]) == (TOPIC, 1)
         await it.moving()
-        it.drive.end("a dialog")
+        it.drive.end(Message("a dialog"))
         assert await it.ended() == "a dialog"
         await it.store.until(lambda _: zeros_at_the_end(list(it.frames)) >= 3)
         await it.store.until(lambda _: not server.bridge.subscribers(TOPIC))
         told = len(it.frames)
         it.drive.steer(Steering(AHEAD, time.monotonic() + 5.0))
-        it.drive.end("again")
+        it.drive.end(Message("again"))
         assert (it.drive.state.reason, len(it.frames)) == ("a dialog", told)
 
 

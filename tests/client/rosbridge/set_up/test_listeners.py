@@ -10,6 +10,7 @@ from fleet_tui.adapters.ros.operations import ServiceResponse
 from fleet_tui.client.rosbridge.calls import Calls, NoAnswerError
 from fleet_tui.client.rosbridge.set_up.listeners import check_listeners
 from fleet_tui.errors import CommandError
+from fleet_tui.text.language import Message
 
 POSE = Publication("/r/initialpose", "geometry_msgs/PoseWithCovarianceStamped", {})
 CALL = ServiceCall("/r/settle", "std_srvs/Empty", {})
@@ -24,7 +25,7 @@ class Rosapi:
     async def call(self, service: str, _args: Mapping[str, object], _within: float) -> ServiceResponse:
         answer = self.answers.get(service.removeprefix("/rosapi/"))
         if answer is None:
-            raise NoAnswerError("late")
+            raise NoAnswerError(Message("late"))
         return ServiceResponse("1", answer, isinstance(answer, dict))
 
 

@@ -7,6 +7,7 @@ import pytest
 from fleet_tui.model.graphs.document import DocumentEdge, DocumentFloor, DocumentVertex
 from fleet_tui.model.graphs.draft import GraphDraft
 from fleet_tui.rules.graphs import edits
+from fleet_tui.text.language import Message
 from fleet_tui.view.map.modes.edit import EditMode, cell_metres
 from fleet_tui.view.map.viewport import Viewport
 from tests.support.map_pane import SCENE
@@ -65,7 +66,7 @@ def test_the_nearest_edge_is_found(at: tuple[float, float], found: str) -> None:
 def test_the_banner_says_where_the_cursor_is_and_how_far_from_the_selected_vertex() -> None:
     mode = EditMode(FLOOR, (2.0, 5.0))
     assert mode.banner("floor_0") == "EDIT 2.00, 5.00 m"
-    mode.selected, mode.note = "7", "2E"
+    mode.selected, mode.note = "7", Message("2E")
     assert mode.banner("floor_0") == "EDIT 2.00, 5.00 m 2E, from Dock 3.0 m"
     mode.held = True
     assert "moving Dock" in mode.banner("floor_0")

@@ -5,6 +5,7 @@ import math
 import pytest
 
 from fleet_tui.model.geometry import Pose
+from fleet_tui.text.language import Message
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.map.modes.place import PlaceMode
@@ -16,7 +17,7 @@ CAMERA = Camera.fit((FRAME.width, FRAME.height), 100, 29)
 
 
 def mode(yaw: float = 0.0) -> PlaceMode:
-    return PlaceMode("POSE", "robot_0", "floor_0", Pose(10.0, 5.0, yaw))
+    return PlaceMode(Message("POSE"), "robot_0", "floor_0", Pose(10.0, 5.0, yaw))
 
 
 def test_the_heading_turns_by_degrees_and_stays_within_half_a_turn() -> None:
@@ -24,7 +25,7 @@ def test_the_heading_turns_by_degrees_and_stays_within_half_a_turn() -> None:
     it.turn(5)
     assert math.degrees(it.yaw) == pytest.approx(-177)
     assert it.banner("floor_0") == "POSE 10.00, 5.00 m, -177 degrees, robot_0"
-    it.note = "4 % fit, 1.95 m"
+    it.note = Message("4 % fit, 1.95 m")
     assert it.banner("floor_1") == "POSE floor_0 10.00, 5.00 m, 4 % fit, 1.95 m, -177 degrees, robot_0"
 
 

@@ -2,6 +2,7 @@
 
 from fleet_tui.model.events import CommandPathChanged
 from fleet_tui.model.link import CommandPath
+from fleet_tui.text.language import Message
 from fleet_tui.view.tables.diagnostics.links import link_table
 from tests.support.diagnostics import NOW, POSE, counter, row, seen, text
 from tests.support.fleets import LINK, T0, fleet, link_lost, link_up, reduced
@@ -63,7 +64,7 @@ def test_how_many_robots_have_which_rate_if_they_differ() -> None:
 def test_commands_of_which_no_node_answers_yet_are_neither_well_nor_dead() -> None:
     link = counter()
     link.round_trips.take(0.001, NOW - 1.0)
-    path = CommandPathChanged(LINK, CommandPath.ALIVE, "not tried yet: no node answers", True)
+    path = CommandPathChanged(LINK, CommandPath.ALIVE, Message("not tried yet: no node answers"), True)
     table = link_table(seen(link, reduced(fleet(2), link_up(T0), path))[1], NOW)
     assert "○ not tried yet: no node answers" in row(table, "commands")
 
@@ -71,7 +72,7 @@ def test_commands_of_which_no_node_answers_yet_are_neither_well_nor_dead() -> No
 def test_commands_are_not_well_while_the_reply_to_a_heartbeat_is_overdue() -> None:
     link = counter()
     link.round_trips.take(0.001, NOW - 1.0)
-    state = reduced(fleet(2), link_up(T0), CommandPathChanged(LINK, CommandPath.ALIVE, "", True))
+    state = reduced(fleet(2), link_up(T0), CommandPathChanged(LINK, CommandPath.ALIVE, Message(""), True))
     assert "● ok" in row(link_table(seen(link, state)[1], NOW), "commands")
     link.round_trips.take(0.001, NOW - 40.0)
     assert "▲ replies late 40 s" in row(link_table(seen(link, state)[1], NOW), "commands")
