@@ -1,5 +1,7 @@
 """Goals of action servers as the orders of a robot: legs, replaced ones, ends, and whose each is."""
 
+from msgspec.structs import replace
+
 from fleet_tui.model.commands import CommandRecord, PlaceOrder, Stage
 from fleet_tui.model.events import SubscriptionsAdvanced
 from fleet_tui.model.fleet import FleetState
@@ -14,6 +16,7 @@ from fleet_tui.model.navigation_events import (
 from fleet_tui.model.order import OrderState, Stop, at_vertices
 from fleet_tui.rules.commands.goals import LISTED_FOR
 from fleet_tui.rules.commands.local_queue import foreign
+from fleet_tui.text.language import Message
 from tests.support.fleets import LINK, R0, T0, commanded, reduced, tick
 from tests.support.nav2_goals import (
     DONE,
@@ -193,7 +196,7 @@ class TestEnds:
         )
 
     def test_stops_that_were_missed_make_it_failed(self) -> None:
-        state = reduced(self.ours(), GoalAnswered(7, Stage.FAILED, T0 + 5, "1 stop missed"))
+        state = reduced(self.ours(), GoalAnswered(7, Stage.FAILED, T0 + 5, Message("1 stop missed")))
         state = reduced(state, goals(T0 + 5.1, goal("a", DONE)), tick(T0 + 5.2))
         assert record(state).stage is Stage.FAILED
 
@@ -202,6 +205,23 @@ class TestEnds:
         assert record(state).stage is Stage.LOST
         state = reduced(self.ours(), GoalAnswered(7, Stage.DONE, T0 + 5), goals(T0 + 5.1), tick(T0 + 7))
         assert record(state).stage is Stage.DONE
+
+    def test_what_its_result_told_holds_against_a_status_that_comes_later(self) -> None:
+        state = reduced(self.ours(), GoalAnswered(7, Stage.FAILED, T0 + 5, Message("1 stop missed")))
+        state = reduced(state, goals(T0 + 5.1), tick(T0 + 7))
+        assert record(state).stage is Stage.LOST
+        state = reduced(state, goals(T0 + 8, goal("a", DONE)), tick(T0 + 8.1))
+        assert (record(state).stage, record(state).detail) == (
+            Stage.FAILED,
+            "order a: 1 stop missed; corrects: lost",
+        )
+
+    def test_the_first_end_of_a_goal_holds(self) -> None:
+        cancelled = replace(goal("a", OrderState.CANCELLED), word="cancelled")
+        state = reduced(self.ours(), goals(T0 + 5, cancelled))
+        state = reduced(state, goals(T0 + 6, replace(goal("a", DONE), word="succeeded")), tick(T0 + 7))
+        (order,) = robot(state).orders.orders
+        assert (order.state, order.word) == (OrderState.CANCELLED, "cancelled")
 
     def test_a_bad_entry_of_the_list_loses_no_order(self) -> None:
         state = reduced(self.ours(), goals(T0 + 5, fault="status_list[0]: bad"), tick(T0 + 7))

@@ -146,6 +146,9 @@ def _corrected(state: FleetState, robot: Robot, record: CommandRecord) -> Comman
     if gone is None or not (robot.kind.reports_ends or gone.order.serial == record.order_serial):
         return record
     stage, reason, _ = end_of(state, robot, gone, record)
+    answer = record.answer
+    if answer is not None and stage is Stage.DONE:
+        stage, reason = answer.stage, answer.detail or reason  # as when it ended
     if stage not in NEXT[record.stage] or (stage is Stage.DONE and record.has_further_leg(robot.kind)):
         return record  # nothing better is known, or that was only one of its stops
     return _advanced_to(

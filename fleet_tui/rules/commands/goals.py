@@ -60,11 +60,12 @@ def _listed(old: Goal, goal: Goal, at: float, seen_at: float) -> Goal:
     was_over = old.state in OVER and old.ended_at is not None
     was_over = was_over and (old.state is not OrderState.LOST or goal.state is OrderState.LOST)
     ended = None if not is_over else old.ended_at if was_over else seen_at
+    told = old if is_over and was_over else goal
     return replace(
         old,
         stops=goal.stops if goal.stops and not old.is_ours else old.stops,
-        state=old.state if is_over and was_over else goal.state,
-        word=goal.word,
+        state=told.state,
+        word=told.word,
         said=goal.said,
         label=goal.label,
         tokens=goal.tokens,

@@ -4,7 +4,7 @@ import base64
 from typing import Any
 
 import msgspec
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from fleet_tui.adapters.adapter import Feed, Site
@@ -117,6 +117,7 @@ def statuses(states: list[tuple[int, int]]) -> dict[str, Any]:
 
 
 @given(st.lists(STATES | st.just(None), max_size=12), st.booleans())
+@example([[(0, 2)], [(0, 5)], [], [(0, 4)]], True)
 def test_done_is_only_what_ended_with_4_and_of_two_new_ones_none_is_ours(
     steps: list[list[tuple[int, int]] | None], failed: bool
 ) -> None:
