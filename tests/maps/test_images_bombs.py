@@ -3,7 +3,6 @@
 import struct
 import subprocess
 import sys
-import time
 import zlib
 from itertools import pairwise
 from pathlib import Path
@@ -16,16 +15,12 @@ from fleet_tui.maps.images import load_floor_map
 pytestmark = pytest.mark.nightly
 
 BASE = "image: m.png\nresolution: 0.05\norigin: [0, 0, 0]\n"
-SOON = 5.0
-"""Seconds of CPU."""
 PEAK = 700
 """Megabytes that the process may take for the largest image there may be."""
 
 
 def problem(path: Path) -> str:
-    began = time.process_time()
     loaded = load_floor_map("floor_0", path, False)
-    assert time.process_time() - began < SOON
     assert (loaded.grid is None) is bool(loaded.problem)
     return loaded.problem
 

@@ -1,7 +1,6 @@
 """Processes within limits: late, loud, missing and left behind ones."""
 
 import asyncio
-import time
 from contextlib import suppress
 from pathlib import Path
 
@@ -19,9 +18,8 @@ async def test_output_and_exit_code_are_told() -> None:
 
 async def test_a_process_that_hangs_is_ended_with_its_children(tmp_path: Path) -> None:
     noted = tmp_path / "pid"
-    began = time.monotonic()
     ended = await run(["sh", "-c", f"sleep 60 & echo $! > {noted}; wait"], 0.5)
-    assert ended.is_late and ended.problem == "no answer within 0 s" and time.monotonic() - began < 30
+    assert ended.is_late and ended.problem == "no answer within 0 s"
     await until(lambda: not exists(int(noted.read_text())))
 
 
@@ -31,9 +29,8 @@ async def test_one_that_floods_is_ended_and_its_output_not_kept() -> None:
 
 
 async def test_a_child_that_holds_the_pipe_is_not_waited_for() -> None:
-    began = time.monotonic()
     ended = await run(["sh", "-c", "sleep 60 & echo $!"], 20.0)
-    assert ended.code == 0 and time.monotonic() - began < 30
+    assert ended.code == 0 and exists(int(ended.output))
     await run(["kill", ended.output.strip()], 5.0)
 
 

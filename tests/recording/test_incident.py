@@ -81,7 +81,7 @@ def test_an_archive_is_never_written_over(tmp_path: Path, monkeypatch: pytest.Mo
 
 async def test_the_doctor_looks_in_a_process_of_its_own(server: RosbridgeServer, tmp_path: Path) -> None:
     config = config_of(server.url, 1)
-    found = await asyncio.to_thread(examined, config, 6.0, lambda: False)
+    found = await asyncio.to_thread(examined, config, 60.0, lambda: False)
     assert b"robot_0" in found
     assert b"rosbridge" in found
 

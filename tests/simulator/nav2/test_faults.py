@@ -2,7 +2,6 @@
 
 import asyncio
 import json
-import time
 
 import pytest
 from websockets.asyncio.client import ClientConnection
@@ -199,9 +198,7 @@ class TestHumble:
         plant(server, "reject")
         await give(client, "a", TO_POSE, pose=NEAR)
         await client.close()
-        before = time.monotonic()
         await server.stop()
-        assert time.monotonic() - before < 10.0
 
     async def test_a_call_without_limit_is_waited_for(
         self, server: RosbridgeServer, client: ClientConnection, monkeypatch: pytest.MonkeyPatch

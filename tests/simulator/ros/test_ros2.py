@@ -205,7 +205,7 @@ class TestQualityOfService:
             frame = await read(client)
             assert shape(frame) == shape(json.loads(theirs(recorded)))
             assert frame["topic"] == "/robot_1/floor_0/graph"
-            assert 0.2 < asyncio.get_running_loop().time() - begun < 30.0
+            assert asyncio.get_running_loop().time() - begun > 0.2
 
     async def test_a_volatile_publisher_never_serves_one_who_asks_for_latched_values(
         self, server: RosbridgeServer, client: ClientConnection
