@@ -203,6 +203,7 @@ def assert_harmless(server: RosbridgeServer, *queries: str) -> None:
     assert all(server.bridge.services.types.get(one["topic"]) == one["type"] for one in told)
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize("plant", OTHER_SERVERS)
 async def test_something_else_listens_there(plant: str, tmp_path: Path) -> None:
     # Ticks let five driven seconds pass within 20 ms; on a busy machine a TLS handshake takes longer.

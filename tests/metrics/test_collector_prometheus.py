@@ -95,6 +95,7 @@ def test_every_query_of_the_dashboard_finds_its_figures(prometheus: str) -> None
         eventually(finds, 40.0)
 
 
+@pytest.mark.nightly
 @needs_prometheus
 def test_every_alert_rule_is_evaluated(prometheus: str) -> None:
     def are_healthy() -> bool:

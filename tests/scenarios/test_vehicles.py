@@ -105,7 +105,9 @@ async def test_it_drives_over_a_graph_of_lif(tmp_path: Path) -> None:
         assert agv.vehicle is not None and agv.vehicle.value.last_node == "n2"
 
 
-@pytest.mark.parametrize("name", [name for name in VEHICLES if "lib" in name])
+@pytest.mark.parametrize(
+    "name", [pytest.param("vda-5050-lib, 1.1", marks=pytest.mark.nightly), "vda-5050-lib, 2.0"]
+)
 async def test_it_charges_at_a_charger_and_is_freed_before_its_next_order(tmp_path: Path, name: str) -> None:
     """vda-5050-lib takes no order while it charges. It sends no factsheet: a test does that for it."""
     make, settings = VEHICLES[name]

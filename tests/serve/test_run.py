@@ -184,6 +184,7 @@ if "serve" not in sys.orig_argv:
 """Consoles that do nothing until they are told to quit: a tab does not wait for its console."""
 
 
+@pytest.mark.nightly
 async def test_there_is_a_limit_to_tabs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "sitecustomize.py").write_text(IDLE)
     monkeypatch.setenv("PYTHONPATH", str(tmp_path), prepend=os.pathsep)

@@ -5,6 +5,8 @@ import json
 import signal
 from pathlib import Path
 
+import pytest
+
 from fleet_tui.model.routines.lane import Lane, LanePhase
 from fleet_tui.routines.files import read_routine
 from fleet_tui.routines.progress import RoutineProgress, progress_path, save_progress
@@ -27,6 +29,7 @@ def progress(folder: Path) -> str:
     return "".join(path.read_text() for path in (folder / "fleet-tui" / "routines").glob("day-*.json"))
 
 
+@pytest.mark.nightly
 async def test_two_robots_drive_to_the_end(server: RosbridgeServer, folder: Path) -> None:
     hurry(server)
     routine(folder, "for robot_0 robot_1\ncarry Base Consumidores\nrun true\nend\n")
