@@ -56,6 +56,10 @@ class ProgramRow(Struct, frozen=True):
             return ProgramState.UNKNOWN
         return self.status.state
 
+    def known(self, now: float) -> ProgramStatus | None:
+        """Return the newest look unless it is too old or failed."""
+        return None if self.state(now) is ProgramState.UNKNOWN else self.status
+
 
 class ChangeOutcome(Struct, frozen=True):
     """The end of a start, stop or restart: `word` is confirmed, refused, failed or not confirmed."""

@@ -2,12 +2,15 @@
 
 from collections.abc import Callable, Sequence
 
+from fleet_tui.model.order import natural
 from fleet_tui.model.programs.program import ProgramRow, ProgramState
 from fleet_tui.text.language import N_, Message, tr, translate
-from fleet_tui.text.sanitize import fit, sanitize
+from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import age
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.table import LateRows, Row, Run, Table, column
+from fleet_tui.view.tables.arrangement import RowArrangement, table_of
+from fleet_tui.view.tables.columns import UNBOUNDED, Column
+from fleet_tui.view.tables.table import LateRows, Row, Run, Table
 
 HERE = Message("here")
 NONE_CONFIGURED = (
@@ -33,42 +36,52 @@ _LOOKS = {
 }
 
 
-def program_table(rows: Sequence[ProgramRow], clock: Callable[[float], str], now: float) -> Table:
+def program_table(
+    rows: Sequence[ProgramRow],
+    clock: Callable[[float], str],
+    now: float,
+    width: int = UNBOUNDED,
+    arrangement: RowArrangement | None = None,
+) -> Table:
     """Return a row for each program, in the order of the configuration. `clock` formats Unix seconds, `now`
     is of the monotonic clock."""
-    title = ((tr("Programs"), StyleRole.TITLE), (tr("  Enter: start, stop, restart, log"), StyleRole.DIM))
     if not rows:
         told = [translate(line) if isinstance(line, Message) else line for line in NONE_CONFIGURED]
         help_rows = [Row(n, ((line, StyleRole.TEXT),)) for n, line in enumerate(told)]
         return Table(((tr("Programs"), StyleRole.TITLE),), help_rows)
-    names = column((row.name for row in rows), 7, 16)
-    hosts = column((row.host or translate(HERE) for row in rows), 4, 12)
-    heads = ((N_("program"), names), (N_("host"), hosts), (N_("state"), 10), (N_("since"), 11))
-    head = " ".join(
-        (
-            *(fit(tr(word), cells) for word, cells in heads),
-            fit(tr("restarts"), 8, right=True) + "  " + tr("note"),
-        )
-    )
-    shown = [Row(row.name, _runs(row, names, hosts, clock, now)) for row in rows]
-    return Table(title, shown, head=((head, StyleRole.DIM),))
+    title = ((tr("Programs"), StyleRole.TITLE), (tr("  Enter: start, stop, restart, log"), StyleRole.DIM))
+    columns = _columns(clock, now)
+    return table_of(title, columns, rows, lambda row: row.name, width, arrangement=arrangement)
 
 
-def _runs(
-    row: ProgramRow, names: int, hosts: int, clock: Callable[[float], str], now: float
-) -> tuple[Run, ...]:
-    state, status = row.state(now), row.status
-    sign, role = _LOOKS[state]
-    is_known = status is not None and state is not ProgramState.UNKNOWN
-    since = clock(status.since) if is_known and status is not None and status.since else "-"
-    restarts = status.restarts if is_known and status is not None else None
+def _name(row: ProgramRow) -> object:
+    return natural(row.name)
+
+
+def _columns(clock: Callable[[float], str], now: float) -> Sequence[Column[ProgramRow]]:
+    def state(row: ProgramRow) -> Run:
+        sign, role = _LOOKS[row.state(now)]
+        return f"{sign}{tr(row.state(now).value)}", role
+
+    def since(row: ProgramRow) -> Run:
+        status = row.known(now)
+        return clock(status.since) if status and status.since else "-", StyleRole.TEXT
+
+    def restarts(row: ProgramRow) -> Run:
+        count = status.restarts if (status := row.known(now)) else None
+        return "-" if count is None else str(count), StyleRole.WARN if count else StyleRole.DIM
+
+    def told(row: ProgramRow) -> Run:
+        is_failed = row.state(now) is ProgramState.FAILED
+        return translate(note(row, now)), StyleRole.ALARM if is_failed else StyleRole.TEXT
+
     return (
-        (fit(row.name, names) + " ", StyleRole.TEXT),
-        (fit(row.host or translate(HERE), hosts) + " ", StyleRole.DIM),
-        (f"{sign}{tr(state.value):<8} ", role),
-        (f"{fit(since, 11)} ", StyleRole.TEXT),
-        (f"{'-' if restarts is None else restarts:>8}  ", StyleRole.WARN if restarts else StyleRole.DIM),
-        (translate(note(row, now)), StyleRole.ALARM if state is ProgramState.FAILED else StyleRole.TEXT),
+        Column(N_("program"), lambda row: (row.name, StyleRole.TEXT), (7, 16), order=_name, stays=True),
+        Column(N_("host"), lambda row: (row.host or translate(HERE), StyleRole.DIM), (4, 12)),
+        Column(N_("state"), state, 10, order=lambda row: row.state(now).value),
+        Column(N_("since"), since, 11),
+        Column(N_("restarts"), restarts, 8, is_right=True),
+        Column(N_("note"), told),
     )
 
 

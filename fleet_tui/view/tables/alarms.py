@@ -14,8 +14,9 @@ from fleet_tui.rules.alarms.trouble import to_look_at, urgency
 from fleet_tui.text.language import N_, Message, counted, tr, translate
 from fleet_tui.text.sanitize import cell_width, fit, folded, sanitize
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.arrangement import RowArrangement, Value
-from fleet_tui.view.tables.fleet_columns import own_names
+from fleet_tui.view.tables.arrangement import RowArrangement
+from fleet_tui.view.tables.columns import UNBOUNDED, Column
+from fleet_tui.view.tables.short_names import own_names
 from fleet_tui.view.tables.table import LateRows, Row, Run, Table, column
 
 SIGNS = {
@@ -44,7 +45,6 @@ SHORT = 4
 REST_AT = 2
 LEAST_REST = 10
 """Cells before the rest of a long text, and those that each of its lines has at least."""
-UNBOUNDED = 10_000
 FEW = 4
 """Alarms up to which one of them has its advice in view."""
 
@@ -178,16 +178,23 @@ def _suppressed(state: FleetState) -> int:
     return grouped + covered + sum(robot.link in down for robot in state.robots.values())
 
 
-def _values(clock: Callable[[float], str]) -> tuple[Value[Alarm], ...]:
+def _columns(clock: Callable[[float], str]) -> tuple[Column[Alarm], ...]:
     return (
-        Value(
-            N_("robot"), lambda alarm: alarm.condition.source, lambda alarm: natural(alarm.condition.source)
+        Column(
+            N_("robot"),
+            text=lambda alarm: alarm.condition.source,
+            order=lambda alarm: natural(alarm.condition.source),
         ),
-        Value(N_("alarm"), lambda alarm: translate(alarm.text), lambda alarm: alarm.condition.kind),
-        Value(N_("priority"), lambda alarm: translate(PRIORITIES[alarm.condition.priority])),
-        Value(N_("stage"), lambda alarm: translate(SIGNS[alarm.stage])[2:].strip()),
-        Value(
-            N_("time"), lambda alarm: clock(alarm.shown_wall), lambda alarm: -alarm.shown_wall, is_apart=True
+        Column(
+            N_("alarm"), text=lambda alarm: translate(alarm.text), order=lambda alarm: alarm.condition.kind
+        ),
+        Column(N_("priority"), text=lambda alarm: translate(PRIORITIES[alarm.condition.priority])),
+        Column(N_("stage"), text=lambda alarm: translate(SIGNS[alarm.stage])[2:].strip()),
+        Column(
+            N_("time"),
+            text=lambda alarm: clock(alarm.shown_wall),
+            order=lambda alarm: -alarm.shown_wall,
+            is_apart=True,
         ),
     )
 
@@ -227,7 +234,7 @@ def alarm_table(
     time. `marked` is the alarm that keys are for: of a few its text is whole and its advice is below
     them; `key` goes to the next robot in trouble."""
     arrangement = arrangement or RowArrangement()
-    alarms = arrangement.arranged(sorted(state.alarms, key=urgency), _values(clock))
+    alarms = arrangement.arranged(sorted(state.alarms, key=urgency), _columns(clock))
     names = _names(state, alarms, width)
     keys = [alarm.key for alarm in alarms]
     rows: Sequence[Row] = LateRows(keys, lambda place: _row(state, alarms[place], names, clock, width))

@@ -1,32 +1,20 @@
 """The rows of a table as the operator wants them: filtered, sorted, and told so in the title."""
 
 import math
-from collections.abc import Callable, Iterable, Sequence
-from typing import Any, Generic, TypeVar
-
-from msgspec import Struct
+from collections.abc import Callable, Hashable, Iterable, Sequence
+from typing import Any
 
 from fleet_tui.errors import did_you_mean
 from fleet_tui.text.language import Message, tr, translate
 from fleet_tui.text.row_filter import filter_terms, is_wanted
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.tables.columns import UNBOUNDED, Column, FittedColumns, Item, rows_of
 from fleet_tui.view.tables.groups import RowGroups
-from fleet_tui.view.tables.table import Run
+from fleet_tui.view.tables.table import Row, Run, Table
 
-Item = TypeVar("Item")
 NO_MATCH = Message("nothing matches the filter: Esc clears it")
 """In the place of rows."""
-
-
-class Value(Struct, Generic[Item], frozen=True):
-    """A value of the items of a table: its name in a filter and in the title, its text, what sorts by it,
-    None for a value that does not; one `is_apart` is found only by its name."""
-
-    name: str
-    text: Callable[[Item], str]
-    order: Callable[[Item], Any] | None = None
-    is_apart: bool = False
 
 
 class RowArrangement:
@@ -40,20 +28,20 @@ class RowArrangement:
         longer than a key may."""
         self.column = ""
         self.names: Sequence[str] = ()
-        """The values that `name:text` finds."""
-        self._columns: Sequence[str] = ()
+        """The columns that `name:text` finds."""
+        self._sorted_by: Sequence[str] = ()
         self._known: dict[str, tuple[float, dict[str, str]]] = {}
         """By row, its texts and when they were made (monotonic)."""
 
     def next_column(self) -> None:
         """Sort by the next value, after the last one in the table's own order again."""
-        names = ["", *self._columns]
+        names = ["", *self._sorted_by]
         self.column = names[(names.index(self.column) + 1) % len(names)] if self.column in names else ""
 
     def arranged(
         self,
         items: Iterable[Item],
-        values: Sequence[Value[Item]],
+        columns: Sequence[Column[Item]],
         named: Callable[[Item], str] | None = None,
         at: float = 0.0,
         usual: Callable[[Item], Any] | None = None,
@@ -61,10 +49,10 @@ class RowArrangement:
         """Return the wanted items in order; equal ones keep theirs, or that of `usual`. With the names of
         items and the time (monotonic), what a filter finds in them may be old by up to two seconds: texts of
         500 robots take longer than a key may."""
-        self._columns = [value.name for value in values if value.order is not None]
-        self.names = [value.name for value in values]
+        self._sorted_by = [one.name for one in columns if one.order is not None]
+        self.names = [one.name for one in columns if one.name]
         terms = filter_terms(self.typed, self.names)
-        searched = self._searched(values, named, at)
+        searched = self._searched(columns, named, at)
         if self.is_typing and not terms and named is not None:
             items = list(items)
             for item in items:
@@ -72,15 +60,15 @@ class RowArrangement:
         found = [item for item in items if not terms or is_wanted(terms, searched(item))]
         if usual is not None:  # not before: of a large fleet a filter leaves few
             found.sort(key=usual)
-        order = next((value.order for value in values if value.name == self.column), None)
+        order = next((one.order for one in columns if one.name == self.column), None)
         return sorted(found, key=order) if order is not None else found
 
     def _searched(
-        self, values: Sequence[Value[Item]], named: Callable[[Item], str] | None, at: float
+        self, columns: Sequence[Column[Item]], named: Callable[[Item], str] | None, at: float
     ) -> Callable[[Item], Callable[[str], str]]:
         """Return what returns the texts of an item for a filter, as `is_wanted` asks for them."""
-        by_name = {value.name: value.text for value in values}
-        common = [value.text for value in values if not value.is_apart]
+        by_name = {one.name: one.found for one in columns}
+        common = [one.found for one in columns if one.name and not one.is_apart]
 
         def of(item: Item) -> Callable[[str], str]:
             known = self._texts_of(named(item), at) if named is not None else {}
@@ -117,3 +105,34 @@ class RowArrangement:
         """Return what the title says of it; `shown` rows are left."""
         runs = [(f" /{self.typed}: {shown}", StyleRole.ACCENT)] if self.typed else []
         return runs + [(tr(" by {column}", column=tr(self.column)), StyleRole.ACCENT)] * bool(self.column)
+
+
+def table_of(
+    title: Sequence[Run],
+    columns: Sequence[Column[Item]],
+    items: Sequence[Item],
+    key: Callable[[Item], Hashable],
+    width: int = UNBOUNDED,
+    *,
+    arrangement: RowArrangement | None = None,
+    below: Callable[[Item], Iterable[Row]] = lambda _: (),
+    empty: str = "",
+    has_head: bool = True,
+) -> Table:
+    """Return items as rows of `width` cells with their keys, as arranged; `below` are the rows of an opened
+    one. `empty` is shown if there are no items."""
+    arrangement = arrangement or RowArrangement()
+    wanted = arrangement.arranged(items, columns)
+    shown = FittedColumns(columns, wanted, width)
+    entries: list[Item | Row] = []
+    for item in wanted:
+        entries.append(item)
+        entries += below(item)
+    return Table(
+        (*title, *arrangement.notes(len(wanted))),
+        rows_of(shown, entries, key),
+        arrangement.no_match if items else empty,
+        head=shown.head if has_head else (),
+        unfiltered=len(items),
+        stays=shown.stays,
+    )

@@ -3,9 +3,11 @@
 import math
 import re
 from collections import Counter
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from functools import partial
 from operator import attrgetter
+
+from msgspec.structs import replace
 
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.facts import Activity
@@ -14,11 +16,13 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.trouble import acknowledged, by_urgency, shelved, to_look_at
 from fleet_tui.rules.commands.local_queue import all_orders
 from fleet_tui.rules.history.activity import activities
+from fleet_tui.rules.marks import marks_of
 from fleet_tui.text.language import N_, tr, translate
 from fleet_tui.text.sanitize import cell_width, fit, fit_words
 from fleet_tui.text.units import age
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.arrangement import RowArrangement, Value
+from fleet_tui.view.tables.arrangement import RowArrangement
+from fleet_tui.view.tables.columns import Column, FittedColumns
 from fleet_tui.view.tables.doing import (
     CALM,
     ODD,
@@ -30,11 +34,11 @@ from fleet_tui.view.tables.doing import (
     with_progress,
     word,
 )
-from fleet_tui.view.tables.fleet_columns import BAR, Columns, floor_text
 from fleet_tui.view.tables.groups import GroupHead, head_row
 from fleet_tui.view.tables.missions import FOREIGN, destinations, mission, progress_text, whose_mission
 from fleet_tui.view.tables.news import failed_command, in_cells, is_on_its_way, listed, news
-from fleet_tui.view.tables.table import LateRows, Row, Run, Table, width_of
+from fleet_tui.view.tables.short_names import NO_FLOOR, floor_text, own_names, shortened
+from fleet_tui.view.tables.table import LateRows, Row, Run, Table, column, width_of
 
 COUNTED = (
     *ODD,
@@ -59,6 +63,20 @@ WHOLE_ROUTES = 26
 """Cells of the last column from which orders without a column of their own have the word that their robot
 drives, and their start, too."""
 _GAP: Run = " ", StyleRole.TEXT
+STATE = 19
+WITH_ORDER = 36
+ORDER_MOST = 30
+"""Cells of usual states (longer ones take some of a short order's), of both from which orders have a column
+before them, and of that at most."""
+WHOLE_FLOORS = 54
+WITH_BAR = 70
+WITH_WAITING = 84
+WITH_SEEN = 90
+"""Cells of a pane from which floors have their whole names, and from which it has further columns."""
+FLOOR = 2
+"""Cells of the floors' column where their names are that short: its head is cut, too."""
+BAR = 5
+"""Cells of a full battery's bar."""
 SEEN_FROM = 2.0
 """Seconds from which the age of a robot's last message is shown."""
 
@@ -93,11 +111,11 @@ def _signed(state: FleetState, robot: Robot, troubled: bool, shelved: bool, odd:
     or all well."""
     if not state.is_online(robot):
         if robot.last_received is None and not troubled:  # it may be switched off for today
-            return "○ ", StyleRole.DIM
-        return "○ ", StyleRole.WARN if is_on_its_way(state, robot) else StyleRole.ALARM
+            return "○", StyleRole.DIM
+        return "○", StyleRole.WARN if is_on_its_way(state, robot) else StyleRole.ALARM
     if troubled:
-        return "▲ ", StyleRole.ALARM
-    return ("◇ " if shelved else "● "), StyleRole.WARN if shelved or odd else StyleRole.GOOD
+        return "▲", StyleRole.ALARM
+    return ("◇" if shelved else "●"), StyleRole.WARN if shelved or odd else StyleRole.GOOD
 
 
 def _seen_row(row: Row) -> Row:
@@ -107,63 +125,40 @@ def _seen_row(row: Row) -> Row:
     return Row(row.key, ((sign.replace("▲", "△"), StyleRole.WARN), *runs[1:]))
 
 
-def _head(state: FleetState, robot: Robot, sign: Run, selected: bool, columns: Columns) -> list[Run]:
-    """Return the start of every row: its sign, number, name, battery, floor, cargo, times."""
-    role = StyleRole.TEXT if state.is_online(robot) else StyleRole.DIM
-    runs: list[Run] = [
-        sign,
-        (f"{columns.marks[robot.name]:>{columns.number - 1}} ", StyleRole.DIM),
-        (fit(columns.names[robot.name], columns.name), StyleRole.ACCENT if selected else role),
-    ]
-    if columns.battery:
-        runs += [battery_run(state, robot), (" ", role)]
-    if columns.bar:
-        text, colour = battery_bar(state, robot)
-        runs.append((fit(text, columns.bar), colour))
-    if columns.floor:
-        runs.append((fit(columns.floors[floor_text(state, robot)], columns.floor), role))
-    if columns.cargo:
-        runs.append((f"{CARGO} " if robot.has_cargo else "  ", role))
-    if columns.waiting:
-        runs.append((f"{_waiting(state, robot) or '':>5} ", StyleRole.DIM))
-    if columns.seen:
-        runs.append((f"{_seen(state, robot):>6} ", StyleRole.DIM))
-    return runs
-
-
-def _waiting(state: FleetState, robot: Robot) -> int:
+def _waiting(state: FleetState, robot: Robot) -> Run:
     """Return the number of orders that wait for the current one, or for their start."""
-    return sum(not (order.is_over or robot.orders.is_current(order)) for order in all_orders(state, robot))
+    count = sum(not (order.is_over or robot.orders.is_current(order)) for order in all_orders(state, robot))
+    return str(count or ""), StyleRole.DIM
 
 
-def _seen(state: FleetState, robot: Robot) -> str:
+def _seen(state: FleetState, robot: Robot) -> Run:
     """Return the age of a robot's last message, empty while it is young."""
     seconds = 0.0 if robot.last_received is None else state.now - robot.last_received
-    return age(seconds) if seconds >= SEEN_FROM else ""
+    return age(seconds) if seconds >= SEEN_FROM else "", StyleRole.DIM
 
 
-def _row(
-    state: FleetState, robot: Robot, does: Activity | None, sign: Run, selected: bool, columns: Columns
-) -> Row:
+def _doing(state: FleetState, robot: Robot, does: Activity | None, cells: tuple[int, int]) -> tuple[Run, ...]:
+    """Return the order and the state of a robot in the cells of their columns, of which the order may have
+    none."""
     role = StyleRole.TEXT if state.is_online(robot) else StyleRole.DIM
     current, order = robot.orders.current, ""
-    texts = state_texts(state, robot, does, columns.state)
+    of_order, of_state = cells
+    texts = state_texts(state, robot, does, of_state)
     shown = current or next((one for one in all_orders(state, robot) if not one.is_over), None)
     if shown is not None:
         order = whose_mission(state, robot, shown)
     progress = progress_text(state, robot, current) if current is not None else ""
-    head = _head(state, robot, sign, selected, columns)
-    if not columns.order:
-        if shown is not None and columns.state < WHOLE_ROUTES:
+    if not of_order:
+        if shown is not None and of_state < WHOLE_ROUTES:
             order = destinations(robot, shown) or order
         # Beside a refused order the current one would read as that.
         order = "" if any(failed_command(state, robot)) else order
-        runs = [*in_cells(texts, columns.state), _GAP]
-        return Row(robot.name, (*head, *_with_order(runs, order, progress, columns.state, does, role)))
-    placed = _placed(order, destinations(robot, shown) if shown else "", width_of(listed(texts)), columns)
-    cells = columns.state + columns.order - cell_width(placed)
-    runs = with_progress([*in_cells(texts, cells), _GAP], progress, cells)
-    return Row(robot.name, (*head, (placed, role if shown is current else StyleRole.DIM), *runs))
+        runs = [*in_cells(texts, of_state), _GAP]
+        return tuple(_with_order(runs, order, progress, of_state, does, role))
+    placed = _placed(order, destinations(robot, shown) if shown else "", width_of(listed(texts)), cells)
+    left = of_state + of_order - cell_width(placed)
+    runs = with_progress([*in_cells(texts, left), _GAP], progress, left)
+    return (placed, role if shown is current else StyleRole.DIM), *runs
 
 
 def _with_order(
@@ -179,14 +174,15 @@ def _with_order(
     return [*runs, (told, role)]
 
 
-def _placed(order: str, shorter: str, state: int, columns: Columns) -> str:
+def _placed(order: str, shorter: str, state: int, cells: tuple[int, int]) -> str:
     """Return an order in its column, without its start if that is too long. A state of more cells than its
     column takes what the order leaves free, and what that is without its start."""
-    over = max(0, state - columns.state)
-    if cell_width(order) >= columns.order or (over and cell_width(order) + over > columns.order - 2):
+    of_order, of_state = cells
+    over = max(0, state - of_state)
+    if cell_width(order) >= of_order or (over and cell_width(order) + over > of_order - 2):
         order = shorter or order
-    cells = columns.order - min(over, max(0, columns.order - 2 - cell_width(order)))
-    return fit_words(order, cells - 1) + " "
+    kept = of_order - min(over, max(0, of_order - 2 - cell_width(order)))
+    return fit_words(order, kept - 1) + " "
 
 
 def _after_state(order: str, progress: str, cells: int) -> str:
@@ -219,17 +215,82 @@ def _order_text(state: FleetState, robot: Robot) -> str:
     return " ".join(mission(robot, order) for order in all_orders(state, robot) if not order.is_over)
 
 
-def _values(state: FleetState, done: Mapping[str, Activity]) -> tuple[Value[Robot], ...]:
+def fleet_columns(
+    state: FleetState,
+    done: Mapping[str, Activity],
+    sign: Callable[[Robot], Run],
+    selected: str,
+    width: int,
+) -> Sequence[Column[Robot]]:
+    """Return the columns for a pane of `width` cells, but for order and state, which share what is left.
+    Those of values that no robot of the fleet reports are only found."""
+    robots = state.robots.values()
+    reported = {value for robot in robots for value in robot.kind.reports}
+    is_narrow = width < WHOLE_FLOORS
+    marks = dict(zip(state.robots, marks_of(tuple(state.robots)), strict=True))
+    names = own_names(tuple(state.robots)) if is_narrow else {name: name for name in state.robots}
+    known = {floor_text(state, robot) for robot in robots}
+    # Of all floors: the column must not change when one gets empty.
+    floors = shortened({*state.floors, *known}) if is_narrow else {name: name for name in known}
+    is_obvious = is_narrow and len(state.floors) == 1 and known.isdisjoint(NO_FLOOR)
+    floor = column(floors.values(), FLOOR if is_narrow else len(tr("Floor")), 13)
+
+    def role(robot: Robot) -> StyleRole:
+        return StyleRole.TEXT if state.is_online(robot) else StyleRole.DIM
+
+    def name(robot: Robot) -> Run:
+        return names[robot.name], StyleRole.ACCENT if robot.name == selected else role(robot)
+
+    def where(robot: Robot) -> Run:
+        return floors[floor_text(state, robot)], role(robot)
+
+    def of(value: str, *columns: Column[Robot]) -> Sequence[Column[Robot]]:
+        return columns if value in reported else [replace(one, cell=None) for one in columns]
+
     return (
-        Value(N_("robot"), lambda robot: robot.name, lambda robot: natural(robot.name)),
-        Value(N_("floor"), partial(floor_text, state), lambda robot: natural(floor_text(state, robot))),
-        Value(
-            N_("battery"), lambda robot: battery_run(state, robot)[0].strip(), _battery_order, is_apart=True
+        Column("", sign, 1, stays=True),
+        Column(
+            "",
+            lambda robot: (marks[robot.name], StyleRole.DIM),
+            column(marks.values(), 1, 4),
+            "#",
+            is_right=True,
+            stays=True,
         ),
-        Value(N_("order"), partial(_order_text, state), lambda robot: not robot.orders.current),
-        Value(N_("state"), partial(_state_text, state, done), partial(_state_order, state, done)),
-        Value(N_("kind"), lambda robot: robot.kind.name),
-        Value(N_("link"), lambda robot: robot.link),
+        Column(
+            N_("robot"),
+            name,
+            column(names.values(), 6, 14),
+            tr("Robot"),
+            text=lambda robot: robot.name,
+            order=lambda robot: natural(robot.name),
+            stays=True,
+        ),
+        *of(
+            "battery",
+            Column(
+                N_("battery"), partial(battery_run, state), 5, tr("Batt"), order=_battery_order, is_apart=True
+            ),
+            Column("", partial(battery_bar, state), BAR, "", WITH_BAR),
+        ),
+        *of(
+            "" if is_obvious else "pose",
+            Column(
+                N_("floor"),
+                where,
+                floor,
+                tr("Floor")[: max(FLOOR, floor)],
+                text=partial(floor_text, state),
+                order=lambda robot: natural(floor_text(state, robot)),
+            ),
+        ),
+        *of("cargo", Column("", lambda robot: (CARGO if robot.has_cargo else "", role(robot)), 1, "")),
+        *of("queue", Column("", partial(_waiting, state), 5, tr("Queue"), WITH_WAITING, is_right=True)),
+        Column("", partial(_seen, state), 6, tr("Seen"), WITH_SEEN, is_right=True),
+        Column(N_("order"), text=partial(_order_text, state), order=lambda robot: not robot.orders.current),
+        Column(N_("state"), text=partial(_state_text, state, done), order=partial(_state_order, state, done)),
+        Column(N_("kind"), text=lambda robot: robot.kind.name),
+        Column(N_("link"), text=lambda robot: robot.link),
     )
 
 
@@ -257,26 +318,46 @@ def fleet_table(
     silenced, seen, done = shelved(state), acknowledged(state), activities(state, state.robots.values())
     troubled = {name: place for place, name in enumerate(by_urgency(state))}
     odd = {*silenced, *to_look_at(state)}
-    values, calm = _values(state, done), partial(_calm, troubled, odd)
-    robots = arrangement.arranged(state.robots.values(), values, attrgetter("name"), state.now, calm)
-    columns, groups = Columns.of(state, width), arrangement.groups
+
+    def sign(robot: Robot) -> Run:
+        return _signed(state, robot, *(robot.name in names for names in (troubled, silenced, odd)))
+
+    columns = fleet_columns(state, done, sign, selected, width)
+    calm = partial(_calm, troubled, odd)
+    robots = arrangement.arranged(state.robots.values(), columns, attrgetter("name"), state.now, calm)
+    shown, groups = FittedColumns(columns, robots, width), arrangement.groups
+    of_order = min(shown.left - STATE, ORDER_MOST) if shown.left >= WITH_ORDER else 0
+    cells = of_order, shown.left - of_order
     entries = groups.grouped(state, robots, selected, opens=bool(arrangement.typed))
 
     def row(place: int) -> Row:
         robot = entries[place]
         if isinstance(robot, GroupHead):
             return head_row(state, robot, robot in groups.folded and not arrangement.typed, troubled)
-        sign = _signed(state, robot, *(robot.name in names for names in (troubled, silenced, odd)))
-        made = _row(state, robot, done.get(robot.name), sign, robot.name == selected, columns)
-        return _seen_row(made) if robot.name in seen else made
+        runs = (*shown.runs(robot), *_doing(state, robot, done.get(robot.name), cells))
+        return _seen_row(Row(robot.name, runs)) if robot.name in seen else Row(robot.name, runs)
 
     rows = LateRows([one if isinstance(one, GroupHead) else one.name for one in entries], row)
     notes = arrangement.notes(len(robots))
     # Filtered it is about other numbers.
     counted = [] if arrangement.typed else fleet_counts(state, done, width - width_of(notes))
-    told = ((tr("Fleet"), StyleRole.TITLE), *counted, *notes)
-    unfiltered = 0 if groups.by else len(state.robots)
-    return Table(told, rows, arrangement.no_match, (), columns.head, unfiltered, bool(groups.by))
+    return Table(
+        ((tr("Fleet"), StyleRole.TITLE), *counted, *notes),
+        rows,
+        arrangement.no_match,
+        head=(*shown.head, (_head(cells), StyleRole.DIM)),
+        unfiltered=0 if groups.by else len(state.robots),
+        has_groups=bool(groups.by),
+        stays=shown.stays,
+    )
+
+
+def _head(cells: tuple[int, int]) -> str:
+    of_order, of_state = cells
+    both = tr("State, order")
+    if of_order or cell_width(both) > of_state:
+        return fit(tr("Order"), of_order) + tr("State")
+    return both
 
 
 def fleet_counts(state: FleetState, done: Mapping[str, Activity], width: int) -> list[Run]:

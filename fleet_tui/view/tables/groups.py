@@ -11,7 +11,7 @@ from fleet_tui.text.language import counted, tr, translate
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.doing import ODD, count_text, count_word
-from fleet_tui.view.tables.fleet_columns import floor_text
+from fleet_tui.view.tables.short_names import floor_text
 from fleet_tui.view.tables.table import Row, Run
 
 FOLDED = "+ "

@@ -100,7 +100,7 @@ class Listing:
         self._top = max(0, min(self._top, self._place, len(self._table.rows) - rows))
         self._top = max(self._top, self._place - rows + 1, 0)
         shown = [
-            (self._sign(row.key, focused), *_slide(row.runs, self._slid, max(0, width - 1)))
+            (self._sign(row.key, focused), *self._slide(row.runs, max(0, width - 1)))
             for row in self._table.rows[self._top : self._top + rows]
         ]
         if not shown:
@@ -116,7 +116,7 @@ class Listing:
         return BOTH if is_marked else CURSOR, StyleRole.ACCENT if focused else StyleRole.DIM
 
     def _head(self, width: int) -> tuple[Run, ...]:
-        return (NO_MARK, *_slide(self._table.head, self._slid, max(0, width - 1)))
+        return (NO_MARK, *self._slide(self._table.head, max(0, width - 1)))
 
     def _title(self, width: int, rows: int, focused: bool) -> tuple[Run, ...]:
         title: list[Run] = [
@@ -135,6 +135,21 @@ class Listing:
         rule = StyleRole.ACCENT if focused else StyleRole.RULE
         runs = [("─ ", rule), *title, (" ", rule)]
         return cut([*runs, ("─" * (width - width_of(runs)), rule)], width)
+
+    def _slide(self, row: Sequence[Run], width: int) -> tuple[Run, ...]:
+        """Return a row without its first cells but those that stay, at most to its end."""
+        if not self._slid:
+            return cut(row, width)
+        left = max(0, min(self._slid, width_of(row) - width))
+        stays = self._table.stays if self._table.stays <= width // 2 else 0
+        runs: list[Run] = []
+        for text, role in row:
+            kept = min(stays, len(text))
+            gone = min(left, len(text) - kept)
+            stays -= kept
+            left -= gone
+            runs.append((text[:kept] + text[kept + gone :], role))
+        return cut(runs, width)
 
     def shows_row(self, y: int) -> bool:
         return self._first <= y < self._first + len(self._table.rows) - self._top
@@ -164,16 +179,3 @@ def _names(key: Hashable) -> list[str]:
 
 def _pressed(buttons: tuple[Button, ...], x: int) -> str:
     return next((button.name for button in buttons if button.start <= x < button.end), "")
-
-
-def _slide(row: Sequence[Run], cells: int, width: int) -> tuple[Run, ...]:
-    """Return a row without its first cells, at most to its end."""
-    if not cells:
-        return cut(row, width)
-    left = max(0, min(cells, width_of(row) - width))
-    runs: list[Run] = []
-    for text, role in row:
-        gone = min(left, len(text))
-        left -= gone
-        runs.append((text[gone:], role))
-    return cut(runs, width)

@@ -15,7 +15,8 @@ from fleet_tui.text.sanitize import cell_width, fit, sanitize
 from fleet_tui.text.units import age
 from fleet_tui.view.lines.commands import stage_text
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.arrangement import RowArrangement, Value
+from fleet_tui.view.tables.arrangement import RowArrangement
+from fleet_tui.view.tables.columns import Column
 from fleet_tui.view.tables.fleet import CARGO
 from fleet_tui.view.tables.missions import mission, progress_text, whose_mission
 from fleet_tui.view.tables.table import Button, LateRows, Row, Run, Table, column, cut, width_of
@@ -198,15 +199,16 @@ def _rows(
     return LateRows([(robot.name, order.id, position) for robot, position, order in entries], row)
 
 
-def _values(state: FleetState) -> tuple[Value[Listed], ...]:
-    return (
-        Value(N_("robot"), lambda entry: entry[0].name, lambda entry: natural(entry[0].name)),
-        Value(N_("id"), lambda entry: entry[2].id),
-        Value(
-            N_("order"), lambda entry: mission(entry[0], entry[2]), lambda entry: mission(entry[0], entry[2])
-        ),
-        Value(N_("state"), lambda entry: entry[2].state_text, lambda entry: entry[2].state_text),
-    )
+_COLUMNS: tuple[Column[Listed], ...] = (
+    Column(N_("robot"), text=lambda entry: entry[0].name, order=lambda entry: natural(entry[0].name)),
+    Column(N_("id"), text=lambda entry: entry[2].id),
+    Column(
+        N_("order"),
+        text=lambda entry: mission(entry[0], entry[2]),
+        order=lambda entry: mission(entry[0], entry[2]),
+    ),
+    Column(N_("state"), text=lambda entry: entry[2].state_text, order=lambda entry: entry[2].state_text),
+)
 
 
 def queue_table(
@@ -222,7 +224,7 @@ def queue_table(
     them; `clock` writes Unix times."""
     arrangement = arrangement or RowArrangement()
     known = listed(state, selected, all_robots)
-    entries = arrangement.arranged(known, _values(state))
+    entries = arrangement.arranged(known, _COLUMNS)
     under_way = _under_way(state, selected, all_robots)
     robot = state.robots[selected]
     rows = _rows(state, entries, under_way, width, all_robots, may)

@@ -21,9 +21,9 @@ from fleet_tui.view.lines.commands import command_text, stage_text
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.alarms import FEW
 from fleet_tui.view.tables.doing import page_texts
-from fleet_tui.view.tables.fleet_columns import floor_text
 from fleet_tui.view.tables.missions import progress_text, whose_mission
 from fleet_tui.view.tables.news import with_commas, without_cause
+from fleet_tui.view.tables.short_names import floor_text
 from fleet_tui.view.tables.table import Row, Run, Table
 
 NAME = 10

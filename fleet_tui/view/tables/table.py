@@ -48,7 +48,8 @@ class LateRows(Sequence[Row]):
 
 class Table(Struct, frozen=True):
     """A pane at one moment. `head` names the columns; `empty` is shown if there are no rows; `unfiltered` is
-    the number of rows without a filter, whose lines it keeps; `has_groups`: some rows are heads of groups."""
+    the number of rows without a filter, whose lines it keeps; `has_groups`: some rows are heads of groups.
+    `stays`: cells at the start of each row that do not slide away."""
 
     title: tuple[Run, ...]
     rows: Sequence[Row]
@@ -57,6 +58,7 @@ class Table(Struct, frozen=True):
     head: tuple[Run, ...] = ()
     unfiltered: int = 0
     has_groups: bool = False
+    stays: int = 0
 
     @property
     def lines(self) -> int:

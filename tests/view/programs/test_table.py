@@ -27,7 +27,7 @@ def test_a_row_has_state_time_and_restarts() -> None:
         "2",
     ]
     failed = ProgramStatus(ProgramState.FAILED, 100.0, detail=Message("exit status 3"))
-    assert line(ProgramRow("nav", "server", status=failed)).split("  ")[-1] == "exit status 3"
+    assert line(ProgramRow("nav", "server", status=failed)).endswith(" - exit status 3")
 
 
 @pytest.mark.parametrize("state", list(ProgramState))

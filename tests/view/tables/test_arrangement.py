@@ -4,14 +4,15 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from fleet_tui.model.order import natural
-from fleet_tui.view.tables.arrangement import RowArrangement, Value
+from fleet_tui.view.tables.arrangement import RowArrangement
+from fleet_tui.view.tables.columns import Column
 from tests.support.fleets import text_of
 
 Item = tuple[str, int]
-VALUES: tuple[Value[Item], ...] = (
-    Value("robot", lambda item: item[0], lambda item: natural(item[0])),
-    Value("floor", lambda item: f"floor_{item[1]}", lambda item: item[1]),
-    Value("state", lambda item: "busy" if item[1] else "idle"),
+VALUES: tuple[Column[Item], ...] = (
+    Column("robot", text=lambda item: item[0], order=lambda item: natural(item[0])),
+    Column("floor", text=lambda item: f"floor_{item[1]}", order=lambda item: item[1]),
+    Column("state", text=lambda item: "busy" if item[1] else "idle"),
 )
 ITEMS: list[Item] = [("robot_10", 1), ("robot_9", 0), ("robot_2", 1)]
 
@@ -56,7 +57,7 @@ def test_texts_of_named_rows_are_made_again_after_a_while_and_at_once_when_time_
 
     chosen.typed = "robot_2"
     for at, count in ((10.0, 3), (10.5, 3), (13.0, 6), (5.0, 9)):
-        found = chosen.arranged(ITEMS, (Value("robot", text),), lambda item: item[0], at)
+        found = chosen.arranged(ITEMS, (Column("robot", text=text),), lambda item: item[0], at)
         assert found == [("robot_2", 1)] and len(made) == count
 
 
@@ -68,7 +69,7 @@ def test_what_a_filter_searches_in_is_made_before_its_first_letter() -> None:
         return item[0]
 
     def found() -> list[Item]:
-        return chosen.arranged(ITEMS, [Value("robot", text)], lambda item: item[0], 1.0)
+        return chosen.arranged(ITEMS, [Column("robot", text=text)], lambda item: item[0], 1.0)
 
     found()
     assert not made

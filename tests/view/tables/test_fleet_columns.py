@@ -4,7 +4,7 @@ import pytest
 from msgspec.structs import replace
 
 from fleet_tui.view.tables.fleet import fleet_table
-from fleet_tui.view.tables.fleet_columns import Columns, own_names, shortened
+from fleet_tui.view.tables.short_names import own_names, shortened
 from tests.support.fleets import R0, T0, battery, fleet, link_up, pose, reduced, text_of
 
 
@@ -33,21 +33,20 @@ def test_heads_begin_where_their_columns_do(width: int) -> None:
     assert head.index("Batt") - 1 == row.index(" 80 %") or head.index("Batt") == row.index(" 80 %")
     assert row.startswith("floor_0" if width >= 54 else "0 ", head.index("Fl"))
     assert ("Floor" in head) == (width >= 54)
-    assert (Columns.of(state, width).order > 0) == (width >= 79)
-    assert "State" in head
+    assert (" Order " in head) == (width >= 79) and "State" in head
 
 
 def test_the_last_head_is_whole_or_shorter() -> None:
     state = reduced(fleet(), link_up(T0), pose(T0), battery(T0))
-    free = Columns.of(state, 40).state
+    least = 40 - len(text_of(fleet_table(state, R0, 40).head).removesuffix("State, order"))
     for spare, head in ((12, "State, order"), (11, "State")):
-        shown = text_of(fleet_table(state, R0, 40 - free + spare).head)
+        shown = text_of(fleet_table(state, R0, 40 - least + spare).head)
         assert shown.endswith(f" {head}")
 
 
 def test_floors_keep_their_short_names_when_all_robots_are_on_one() -> None:
     state = reduced(fleet(2, 2), link_up(T0), pose(T0))
-    assert Columns.of(state, 47).floors["floor_0"] == "0"
+    assert " 0 " in text_of(fleet_table(state, R0, 47).rows[0].runs)
 
 
 def test_a_row_without_an_order_ends_with_its_state() -> None:

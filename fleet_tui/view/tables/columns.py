@@ -1,0 +1,137 @@
+"""Columns: each is declared once, and its head, width, filter and order follow from that."""
+
+from collections.abc import Callable, Hashable, Sequence
+from itertools import islice
+from typing import Any, Generic, TypeVar
+
+from msgspec import Struct
+
+from fleet_tui.text.language import tr
+from fleet_tui.text.sanitize import cell_width, fit, sanitize
+from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.tables.table import LateRows, Row, Run, column, cut, width_of
+
+Item = TypeVar("Item")
+
+UNBOUNDED = 10_000
+"""Cells of a pane in which every text is whole."""
+MEASURED = 1000
+"""Rows whose cells decide the width of a column: of ten thousand only those in view are made."""
+LEAST_REST = 10
+"""Cells that the last column has before the others give way."""
+GAP: Run = " ", StyleRole.TEXT
+
+
+class Column(Struct, Generic[Item], frozen=True):
+    """A value of the items of a table. Its `name` is its head, finds it in a filter and tells the order.
+    `cell` returns what is shown, None for a value that is only found. `cells` is its width, or the least and
+    the most of one that depends on what it holds, None for the rest of the row. It is shown in panes of
+    `from_cells` on. `text` returns what a filter finds, by default what is shown, and `order` what sorts. One
+    that `is_apart` is found only by its name. One that `stays` never slides away."""
+
+    name: str
+    cell: Callable[[Item], Run | list[Run]] | None = None
+    cells: int | tuple[int, int] | None = None
+    head: str | None = None
+    from_cells: int = 0
+    text: Callable[[Item], str] | None = None
+    order: Callable[[Item], Any] | None = None
+    is_apart: bool = False
+    is_right: bool = False
+    stays: bool = False
+
+    @property
+    def title(self) -> str:
+        return tr(self.name) if self.head is None else self.head
+
+    def runs(self, item: Item) -> Sequence[Run]:
+        """Return what is shown of an item, uncut and safe."""
+        made = self.cell(item) if self.cell is not None else []
+        return [(sanitize(text), role) for text, role in ([made] if isinstance(made, tuple) else made)]
+
+    def found(self, item: Item) -> str:
+        """Return what a filter finds of an item."""
+        return self.text(item) if self.text is not None else _text(self.runs(item))
+
+
+class FittedColumns(Generic[Item]):
+    """The columns that a pane of `width` cells has. Where the last one would have too few cells, those before
+    it give way, first the last of them."""
+
+    def __init__(self, columns: Sequence[Column[Item]], items: Sequence[Item], width: int) -> None:
+        self._width = width
+        self._columns = [one for one in columns if one.cell is not None and width >= one.from_cells]
+        self._cells = [_cells(one, items) for one in self._columns]
+        rest = LEAST_REST if None in self._cells else 0
+        over = sum(cells + 1 for cells in self._cells if cells is not None) + rest - width
+        for place, one in reversed(list(enumerate(self._columns))):
+            cells = self._cells[place]
+            if over > 0 and cells is not None and isinstance(one.cells, tuple):
+                self._cells[place] = max(one.cells[0], cells - over)
+                over -= cells - max(one.cells[0], cells - over)
+
+    @property
+    def head(self) -> tuple[Run, ...]:
+        """Return the names, each above its column."""
+        names = (
+            one.title if cells is None else fit(one.title, cells, right=one.is_right) + " "
+            for one, cells in zip(self._columns, self._cells, strict=True)
+        )
+        return (("".join(names), StyleRole.DIM),)
+
+    @property
+    def left(self) -> int:
+        """Return the cells after these columns."""
+        return max(0, self._width - sum(cells + 1 for cells in self._cells if cells is not None))
+
+    @property
+    def stays(self) -> int:
+        """Return the cells at the start of a row that never slide away."""
+        staying = (
+            (cells or 0) + 1 if one.stays else 0
+            for one, cells in zip(self._columns, self._cells, strict=True)
+        )
+        total = 0
+        for cells in staying:
+            if not cells:
+                break
+            total += cells
+        return total
+
+    def runs(self, item: Item) -> tuple[Run, ...]:
+        """Return the row of an item."""
+        made: list[Run] = []
+        for one, cells in zip(self._columns, self._cells, strict=True):
+            runs = one.runs(item)
+            if cells is None:
+                made += runs
+                continue
+            if one.is_right:
+                made.append((" " * max(0, cells - width_of(runs)), StyleRole.TEXT))
+                cells = min(cells, width_of(runs))
+            made += (*cut(runs, cells), GAP)
+        return tuple(made)
+
+
+def _cells(one: Column[Item], items: Sequence[Item]) -> int | None:
+    if not isinstance(one.cells, tuple):
+        return one.cells
+    least, most = one.cells
+    texts = (_text(one.runs(item)) for item in islice(items, MEASURED))
+    return column(texts, max(least, min(most, cell_width(one.title))), most)
+
+
+def _text(runs: Sequence[Run]) -> str:
+    return "".join(text for text, _ in runs)
+
+
+def rows_of(
+    columns: FittedColumns[Item], entries: Sequence[Item | Row], key: Callable[[Item], Hashable]
+) -> LateRows:
+    """Return a row for each item, made when it is shown; rows among them, as below an opened one, stay."""
+
+    def row(place: int) -> Row:
+        entry = entries[place]
+        return entry if isinstance(entry, Row) else Row(key(entry), columns.runs(entry))
+
+    return LateRows([one.key if isinstance(one, Row) else key(one) for one in entries], row)
