@@ -1,7 +1,7 @@
 """Columns: each is declared once, and its head, width, filter and order follow from that."""
 
 from collections.abc import Callable, Hashable, Sequence
-from itertools import islice
+from itertools import islice, takewhile
 from typing import Any, Generic, TypeVar
 
 from msgspec import Struct
@@ -55,57 +55,60 @@ class Column(Struct, Generic[Item], frozen=True):
 
 
 class FittedColumns(Generic[Item]):
-    """The columns that a pane of `width` cells has. Where the last one would have too few cells, those before
-    it give way, first the last of them."""
+    """The columns that a pane of `width` cells has. Where the one that takes the rest would have too few
+    cells, others give way, first the last of them."""
 
     def __init__(self, columns: Sequence[Column[Item]], items: Sequence[Item], width: int) -> None:
-        self._width = width
         self._columns = [one for one in columns if one.cell is not None and width >= one.from_cells]
         self._cells = [_cells(one, items) for one in self._columns]
-        rest = LEAST_REST if None in self._cells else 0
-        over = sum(cells + 1 for cells in self._cells if cells is not None) + rest - width
+        self._width = width
+        over = (LEAST_REST if None in self._cells else 0) - self.rest
         for place, one in reversed(list(enumerate(self._columns))):
             cells = self._cells[place]
             if over > 0 and cells is not None and isinstance(one.cells, tuple):
                 self._cells[place] = max(one.cells[0], cells - over)
                 over -= cells - max(one.cells[0], cells - over)
 
-    @property
-    def head(self) -> tuple[Run, ...]:
-        """Return the names, each above its column."""
-        names = (
-            one.title if cells is None else fit(one.title, cells, right=one.is_right) + " "
-            for one, cells in zip(self._columns, self._cells, strict=True)
-        )
-        return (("".join(names), StyleRole.DIM),)
+    def shows(self, name: str) -> bool:
+        """Tell whether it has a column of this name."""
+        return any(one.name == name for one in self._columns)
 
     @property
-    def left(self) -> int:
-        """Return the cells after these columns."""
-        return max(0, self._width - sum(cells + 1 for cells in self._cells if cells is not None))
+    def rest(self) -> int:
+        """Return the cells that the columns of a fixed width leave, negative if these have too few."""
+        return self._width - sum(cells + 1 for cells in self._cells if cells is not None)
 
     @property
     def stays(self) -> int:
         """Return the cells at the start of a row that never slide away."""
-        staying = (
-            (cells or 0) + 1 if one.stays else 0
-            for one, cells in zip(self._columns, self._cells, strict=True)
+        staying = takewhile(lambda pair: pair[0].stays, zip(self._columns, self._cells, strict=True))
+        return sum((cells or 0) + 1 for _, cells in staying)
+
+    @property
+    def head(self) -> tuple[Run, ...]:
+        """Return the names, each above its column."""
+        last = len(self._columns) - 1
+        names = (
+            one.title
+            if cells is None and n == last
+            else self._head(one, self.rest - 1 if cells is None else cells)
+            for n, (one, cells) in enumerate(zip(self._columns, self._cells, strict=True))
         )
-        total = 0
-        for cells in staying:
-            if not cells:
-                break
-            total += cells
-        return total
+        return (("".join(names), StyleRole.DIM),)
+
+    def _head(self, one: Column[Item], cells: int) -> str:
+        return fit(one.title, cells, right=one.is_right) + " "
 
     def runs(self, item: Item) -> tuple[Run, ...]:
-        """Return the row of an item."""
+        """Return the row of an item: what takes the rest at its end is not cut, for it can slide."""
         made: list[Run] = []
-        for one, cells in zip(self._columns, self._cells, strict=True):
+        last = len(self._columns) - 1
+        for n, (one, fixed) in enumerate(zip(self._columns, self._cells, strict=True)):
             runs = one.runs(item)
-            if cells is None:
+            if fixed is None and n == last:
                 made += runs
                 continue
+            cells = self.rest - 1 if fixed is None else fixed
             if one.is_right:
                 made.append((" " * max(0, cells - width_of(runs)), StyleRole.TEXT))
                 cells = min(cells, width_of(runs))

@@ -35,7 +35,15 @@ from fleet_tui.view.tables.doing import (
     word,
 )
 from fleet_tui.view.tables.groups import GroupHead, head_row
-from fleet_tui.view.tables.missions import FOREIGN, destinations, mission, progress_text, whose_mission
+from fleet_tui.view.tables.missions import (
+    FOREIGN,
+    destinations,
+    distance_left,
+    left_text,
+    mission,
+    progress_text,
+    whose_mission,
+)
 from fleet_tui.view.tables.news import failed_command, in_cells, is_on_its_way, listed, news
 from fleet_tui.view.tables.short_names import NO_FLOOR, floor_text, own_names, shortened
 from fleet_tui.view.tables.table import LateRows, Row, Run, Table, column, width_of
@@ -71,7 +79,9 @@ before them, and of that at most."""
 WHOLE_FLOORS = 54
 WITH_BAR = 70
 WITH_WAITING = 84
-WITH_SEEN = 90
+WITH_LEFT = 88
+WITH_SEEN = 98
+DISTANCE = N_("distance")
 """Cells of a pane from which floors have their whole names, and from which it has further columns."""
 FLOOR = 2
 """Cells of the floors' column where their names are that short: its head is cut, too."""
@@ -137,25 +147,29 @@ def _seen(state: FleetState, robot: Robot) -> Run:
     return age(seconds) if seconds >= SEEN_FROM else "", StyleRole.DIM
 
 
-def _doing(state: FleetState, robot: Robot, does: Activity | None, cells: tuple[int, int]) -> tuple[Run, ...]:
+def _doing(
+    state: FleetState, robot: Robot, does: Activity | None, cells: tuple[int, int], has_left: bool
+) -> tuple[Run, ...]:
     """Return the order and the state of a robot in the cells of their columns, of which the order may have
     none."""
     role = StyleRole.TEXT if state.is_online(robot) else StyleRole.DIM
     current, order = robot.orders.current, ""
     of_order, of_state = cells
-    texts = state_texts(state, robot, does, of_state)
     shown = current or next((one for one in all_orders(state, robot) if not one.is_over), None)
+    shorter = destinations(robot, shown) if shown is not None else ""
     if shown is not None:
         order = whose_mission(state, robot, shown)
-    progress = progress_text(state, robot, current) if current is not None else ""
+    free = of_order - min(of_order, cell_width(shorter or order) + 2) if order else of_order
+    texts = state_texts(state, robot, does, of_state + free)
+    progress = progress_text(state, robot, current, has_left) if current is not None else ""
     if not of_order:
         if shown is not None and of_state < WHOLE_ROUTES:
-            order = destinations(robot, shown) or order
+            order = shorter or order
         # Beside a refused order the current one would read as that.
         order = "" if any(failed_command(state, robot)) else order
         runs = [*in_cells(texts, of_state), _GAP]
         return tuple(_with_order(runs, order, progress, of_state, does, role))
-    placed = _placed(order, destinations(robot, shown) if shown else "", width_of(listed(texts)), cells)
+    placed = _placed(order, shorter, width_of(listed(texts)), cells)
     left = of_state + of_order - cell_width(placed)
     runs = with_progress([*in_cells(texts, left), _GAP], progress, left)
     return (placed, role if shown is current else StyleRole.DIM), *runs
@@ -216,11 +230,7 @@ def _order_text(state: FleetState, robot: Robot) -> str:
 
 
 def fleet_columns(
-    state: FleetState,
-    done: Mapping[str, Activity],
-    sign: Callable[[Robot], Run],
-    selected: str,
-    width: int,
+    state: FleetState, done: Mapping[str, Activity], sign: Callable[[Robot], Run], selected: str, width: int
 ) -> Sequence[Column[Robot]]:
     """Return the columns for a pane of `width` cells, but for order and state, which share what is left.
     Those of values that no robot of the fleet reports are only found."""
@@ -243,6 +253,15 @@ def fleet_columns(
 
     def where(robot: Robot) -> Run:
         return floors[floor_text(state, robot)], role(robot)
+
+    def left(robot: Robot) -> Run:
+        current = robot.orders.current
+        return left_text(state, robot, current) if current else "", role(robot)
+
+    def by_left(robot: Robot) -> float:
+        current = robot.orders.current
+        metres = distance_left(state, robot, current) if current else None
+        return math.inf if metres is None else metres
 
     def of(value: str, *columns: Column[Robot]) -> Sequence[Column[Robot]]:
         return columns if value in reported else [replace(one, cell=None) for one in columns]
@@ -286,6 +305,16 @@ def fleet_columns(
         ),
         *of("cargo", Column("", lambda robot: (CARGO if robot.has_cargo else "", role(robot)), 1, "")),
         *of("queue", Column("", partial(_waiting, state), 5, tr("Queue"), WITH_WAITING, is_right=True)),
+        Column(
+            DISTANCE,
+            left if any(robot.kind.lists_orders for robot in robots) else None,
+            8,
+            tr("Left"),
+            WITH_LEFT,
+            order=by_left,
+            is_apart=True,
+            is_right=True,
+        ),
         Column("", partial(_seen, state), 6, tr("Seen"), WITH_SEEN, is_right=True),
         Column(N_("order"), text=partial(_order_text, state), order=lambda robot: not robot.orders.current),
         Column(N_("state"), text=partial(_state_text, state, done), order=partial(_state_order, state, done)),
@@ -326,15 +355,15 @@ def fleet_table(
     calm = partial(_calm, troubled, odd)
     robots = arrangement.arranged(state.robots.values(), columns, attrgetter("name"), state.now, calm)
     shown, groups = FittedColumns(columns, robots, width), arrangement.groups
-    of_order = min(shown.left - STATE, ORDER_MOST) if shown.left >= WITH_ORDER else 0
-    cells = of_order, shown.left - of_order
+    of_order = min(shown.rest - STATE, ORDER_MOST) if shown.rest >= WITH_ORDER else 0
+    cells = of_order, shown.rest - of_order
     entries = groups.grouped(state, robots, selected, opens=bool(arrangement.typed))
 
     def row(place: int) -> Row:
         robot = entries[place]
         if isinstance(robot, GroupHead):
             return head_row(state, robot, robot in groups.folded and not arrangement.typed, troubled)
-        runs = (*shown.runs(robot), *_doing(state, robot, done.get(robot.name), cells))
+        runs = (*shown.runs(robot), *_doing(state, robot, done.get(robot.name), cells, shown.shows(DISTANCE)))
         return _seen_row(Row(robot.name, runs)) if robot.name in seen else Row(robot.name, runs)
 
     rows = LateRows([one if isinstance(one, GroupHead) else one.name for one in entries], row)

@@ -1,6 +1,8 @@
 """The queue pane: a robot's orders, the current one first, each with its Cancel."""
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+import math
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import partial
 
 from fleet_tui.model import kind
 from fleet_tui.model.commands import CancelOrder, ClearOrders, CommandRecord, PlaceOrder, Stage
@@ -9,6 +11,7 @@ from fleet_tui.model.link import Phase
 from fleet_tui.model.order import Order, OrderState, natural, vertices_of
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.local_queue import all_orders
+from fleet_tui.rules.commands.order_ends import placed_by
 from fleet_tui.rules.commands.order_search import find_order
 from fleet_tui.text.language import N_, Message, counted, tr, translate
 from fleet_tui.text.sanitize import cell_width, fit, sanitize
@@ -16,9 +19,9 @@ from fleet_tui.text.units import age
 from fleet_tui.view.lines.commands import stage_text
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.arrangement import RowArrangement
-from fleet_tui.view.tables.columns import Column
+from fleet_tui.view.tables.columns import Column, FittedColumns
 from fleet_tui.view.tables.fleet import CARGO
-from fleet_tui.view.tables.missions import mission, progress_text, whose_mission
+from fleet_tui.view.tables.missions import distance_left, left_text, mission, progress_text, whose_mission
 from fleet_tui.view.tables.table import Button, LateRows, Row, Run, Table, column, cut, width_of
 
 CANCEL = Message("[Cancel]")
@@ -27,9 +30,13 @@ GAP = "  "
 SHORT = {OrderState.IN_PROCESS: Message("now")}
 HOURS_MINUTES = 5
 WIDE = 60
+WITH_LEFT = 48
+WITH_AGE = 60
+WITH_POSITION = 70
 LEAST_TITLE = 16
 LEAST_NAME = 10
-"""Cells that the title must keep beside its button, and of those for the name."""
+"""Cells from which ids are longer, and from which orders have columns for what is left, their age and
+place; those that the title must keep beside its button, and of those for the name."""
 
 Clock = Callable[[float], str]
 Listed = tuple[Robot, int, Order]
@@ -87,38 +94,50 @@ def _mission(mission: str, cells: int, order: Order, space: int) -> tuple[str, s
     return shown + ", ", short
 
 
-def _row(
-    state: FleetState, entry: Listed, columns: tuple[int, int, int], width: int, leaving: str, may: bool
-) -> Row:
-    names, ids, missions = columns
-    robot, position, order = entry
-    current = robot.orders.is_current(order)
-    role = StyleRole.TEXT if current else StyleRole.DIM
+def _told(
+    state: FleetState, entry: Listed, cells: tuple[int, int], leaving: str, has_left: bool
+) -> list[Run]:
+    """Return the mission of an order and its state, of a column for missions and of all cells that there are
+    for both."""
+    robot, _, order = entry
     unknown = robot.knows_all_graphs() and None in map(robot.name_of, vertices_of(order.stops))
-    runs: list[Run] = [
-        (fit(robot.name, names) + " " if names else "", StyleRole.TEXT),
-        (_id(order, ids) + " ", StyleRole.DIM),
+    mission, status = _mission(whose_mission(state, robot, order), cells[0], order, cells[1])
+    role = StyleRole.TEXT if robot.orders.is_current(order) else StyleRole.DIM
+    progress = progress_text(state, robot, order, has_left)
+    return [
+        (mission, StyleRole.WARN if unknown else StyleRole.TEXT),
+        (status, role),
+        (f", {progress}" if progress else "", StyleRole.DIM),
+        (tr(", cancel {leaving}", leaving=leaving) if leaving else "", StyleRole.WARN),
+        (tr(", unknown vertex") if unknown else "", StyleRole.WARN),
     ]
-    has_button = may and robot.kind.can(kind.CANCEL) and not order.is_over
-    space = width - 1 - (len(translate(CANCEL)) if has_button else 0)
-    left = space - has_button - width_of(runs)
-    mission, status = _mission(whose_mission(state, robot, order), missions, order, left)
-    runs += [(mission, StyleRole.WARN if unknown else StyleRole.TEXT), (status, role)]
-    if progress := progress_text(state, robot, order):
-        runs.append((f", {progress}", StyleRole.DIM))
-    runs.append((tr(", cancel {leaving}", leaving=leaving) if leaving else "", StyleRole.WARN))
-    runs.append((tr(", unknown vertex") if unknown else "", StyleRole.WARN))
-    key = (robot.name, order.id, position)
-    if not has_button:
-        return Row(key, tuple(cut(runs, space)))
-    button = Button(space, space + len(translate(CANCEL)), "cancel")
-    return Row(key, (*cut(runs, space - 1), (" ", role), (translate(CANCEL), StyleRole.KEY)), (button,))
+
+
+def _waiting_since(state: FleetState, entry: Listed) -> tuple[float, bool] | None:
+    """Return the monotonic second at which an order was taken, or was first listed here, and whether it is
+    that of its beginning: it may be older than its first list. None if it is unknown."""
+    robot, _, order = entry
+    if order.taken_at is not None:
+        return order.taken_at, True
+    record = placed_by(state, robot, order)
+    if record is not None:
+        return record.issued_at, True
+    trace = robot.traces.get(order.id)
+    return None if trace is None or trace.listed_at is None else (trace.listed_at, False)
+
+
+def _age(state: FleetState, entry: Listed) -> Run:
+    since = _waiting_since(state, entry)
+    if since is None:
+        return "", StyleRole.DIM
+    at, is_exact = since
+    return f"{'' if is_exact else '> '}{age(state.now - at)}", StyleRole.DIM
 
 
 def _id(order: Order, cells: int) -> str:
     """Return an order's id. Long ones differ at their end: `patrol.dispatch-12`."""
     text = sanitize(f"#{order.id}")
-    return fit(text if len(text) <= cells else f"#…{text[len(text) - cells + 2 :]}", cells)
+    return text if len(text) <= cells else f"#…{text[len(text) - cells + 2 :]}"
 
 
 def _title(
@@ -177,38 +196,99 @@ def known_since(state: FleetState, robot: Robot) -> float | None:
 
 
 def _rows(
-    state: FleetState,
-    entries: list[Listed],
-    under_way: list[CommandRecord],
-    width: int,
-    all_robots: bool,
-    may: bool,
+    state: FleetState, entries: Sequence[Listed], columns: FittedColumns[Listed], buttons: bool, width: int
 ) -> LateRows:
-    leaving = _leaving(state, under_way)
-    columns = (
-        column((entry[0].name for entry in entries), 6, 12) if all_robots else 0,
-        column((f"#{entry[2].id}" for entry in entries), 2, 12 if width >= WIDE else 9),
-        column((whose_mission(state, entry[0], entry[2]) for entry in entries), 10, 40),
-    )
+    """Return a row for each order, most with a button in their last cells; `buttons`: there may be some."""
+    name = translate(CANCEL)
+    start = width - 1 - len(name)
 
     def row(place: int) -> Row:
-        robot, _, order = entries[place]
-        stage = leaving.get((robot.name, order.id)) or leaving.get((robot.name, ""), "")
-        return _row(state, entries[place], columns, width, stage, may)
+        robot, position, order = entries[place]
+        runs = columns.runs(entries[place])
+        if not buttons or order.is_over or not robot.kind.can(kind.CANCEL):
+            return Row((robot.name, order.id, position), cut(runs, width - 1))
+        return Row(
+            (robot.name, order.id, position),
+            (*cut(runs, start), (name, StyleRole.KEY)),
+            (Button(start, start + len(name), "cancel"),),
+        )
 
     return LateRows([(robot.name, order.id, position) for robot, position, order in entries], row)
 
 
-_COLUMNS: tuple[Column[Listed], ...] = (
-    Column(N_("robot"), text=lambda entry: entry[0].name, order=lambda entry: natural(entry[0].name)),
-    Column(N_("id"), text=lambda entry: entry[2].id),
-    Column(
-        N_("order"),
-        text=lambda entry: mission(entry[0], entry[2]),
-        order=lambda entry: mission(entry[0], entry[2]),
-    ),
-    Column(N_("state"), text=lambda entry: entry[2].state_text, order=lambda entry: entry[2].state_text),
-)
+def queue_columns(
+    state: FleetState,
+    entries: Sequence[Listed],
+    leaving: Mapping[tuple[str, str], str],
+    all_robots: bool,
+    width: int,
+    rest: Callable[[], int],
+) -> Sequence[Column[Listed]]:
+    """Return the columns for rows of `width` cells; `rest` returns those of the mission with its state."""
+    longest = 12 if width >= WIDE else 9
+    ids = column((f"#{order.id}" for _, _, order in entries), 2, longest)
+    missions = column((whose_mission(state, robot, order) for robot, _, order in entries), 10, 40)
+
+    def told(entry: Listed) -> list[Run]:
+        robot, _, order = entry
+        stage = leaving.get((robot.name, order.id)) or leaving.get((robot.name, ""), "")
+        return _told(state, entry, (missions, rest()), stage, width >= WITH_LEFT)
+
+    def left(entry: Listed) -> Run:
+        return left_text(state, entry[0], entry[2]), StyleRole.DIM
+
+    def by_mission(entry: Listed) -> str:
+        return mission(entry[0], entry[2])
+
+    def by_age(entry: Listed) -> float:
+        since = _waiting_since(state, entry)
+        return math.inf if since is None else since[0]
+
+    def by_left(entry: Listed) -> float:
+        metres = distance_left(state, entry[0], entry[2])
+        return math.inf if metres is None else metres
+
+    return (
+        Column(
+            N_("robot"),
+            (lambda entry: (entry[0].name, StyleRole.TEXT)) if all_robots else None,
+            (6, 12),
+            tr("Robot"),
+            text=lambda entry: entry[0].name,
+            order=lambda entry: natural(entry[0].name),
+            stays=True,
+        ),
+        Column(
+            N_("id"),
+            lambda entry: (_id(entry[2], longest), StyleRole.DIM),
+            ids,
+            "",
+            text=lambda entry: entry[2].id,
+            stays=True,
+        ),
+        Column(
+            N_("position"),
+            lambda entry: (str(entry[1] + 1), StyleRole.DIM),
+            3,
+            tr("Pos"),
+            WITH_POSITION,
+            is_apart=True,
+            is_right=True,
+        ),
+        Column(N_("order"), told, None, tr("Order"), text=by_mission, order=by_mission),
+        Column(N_("state"), text=lambda entry: entry[2].state_text, order=lambda entry: entry[2].state_text),
+        Column(N_("distance"), left, 8, tr("Left"), WITH_LEFT, order=by_left, is_apart=True, is_right=True),
+        Column(
+            N_("age"),
+            partial(_age, state),
+            7,
+            tr("Age"),
+            WITH_AGE,
+            order=by_age,
+            is_apart=True,
+            is_right=True,
+        ),
+    )
 
 
 def queue_table(
@@ -224,10 +304,16 @@ def queue_table(
     them; `clock` writes Unix times."""
     arrangement = arrangement or RowArrangement()
     known = listed(state, selected, all_robots)
-    entries = arrangement.arranged(known, _COLUMNS)
     under_way = _under_way(state, selected, all_robots)
     robot = state.robots[selected]
-    rows = _rows(state, entries, under_way, width, all_robots, may)
+    has_buttons = may and any(one.kind.can(kind.CANCEL) and not order.is_over for one, _, order in known)
+    space = width - 1 - len(translate(CANCEL)) * has_buttons
+    columns = queue_columns(
+        state, known, _leaving(state, under_way), all_robots, space, lambda: shown.rest - 1
+    )
+    entries = arrangement.arranged(known, columns)
+    shown = FittedColumns(columns, entries, space)
+    rows = _rows(state, entries, shown, has_buttons, width)
     title = _title(robot, state, len(known), _awaited(state, under_way), all_robots, width, clock)
     title[1:1] = arrangement.notes(len(entries))
     listing = any(one.kind.lists_orders for one in state.robots.values())
@@ -240,7 +326,15 @@ def queue_table(
     else:
         title = _within(title, width)
     empty = tr("no orders") if all_robots and listing else _empty(robot, may)
-    return Table(tuple(title), rows, arrangement.no_match if known else empty, buttons, unfiltered=len(known))
+    return Table(
+        tuple(title),
+        rows,
+        arrangement.no_match if known else empty,
+        buttons,
+        shown.head if space >= WITH_LEFT else (),
+        unfiltered=len(known),
+        stays=shown.stays,
+    )
 
 
 def _empty(robot: Robot, may: bool) -> str:

@@ -185,7 +185,4 @@ def command_rows(state: FleetState, robot: Robot, clock: Callable[[float], str])
     own = [record for record in state.commands if record.command.robot == robot.name]
     for record in reversed(own[-LAST:]):
         text = command_text(state, record.command).removeprefix(f"{robot.name} ")
-        yield named(
-            clock(record.wall),
-            (f"{text}: {stage_text(record, state.now)}", StyleRole.TEXT),
-        )
+        yield named(clock(record.wall), (f"{text}: {stage_text(record, state.now)}", StyleRole.TEXT))

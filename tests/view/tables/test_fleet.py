@@ -392,6 +392,6 @@ def test_a_robot_whose_order_failed_is_not_called_idle() -> None:
     alarm = Alarm(Condition(R0, "order", Priority.MEDIUM, text, text), 0.0, 0.0, T0)
     state = replace(received(), alarms=(alarm,))
     assert "order 1 -> 2 failed" in text_of(fleet_table(state, R0, 150).rows[0].runs)
-    assert "order failed" in row(state) and "idle" not in row(state)
+    assert "order 1 -> 2 failed" in row(state) and "idle" not in row(state)
     assert role_of(state, "failed") is StyleRole.ALARM
     assert "order failed" in text_of(fleet_table(state, R0, 42).rows[0].runs)

@@ -238,3 +238,26 @@ def test_since_when_a_queue_is_known_stays_beside_a_long_name(width: int) -> Non
         title = text_of(table.title)
         assert " since 14:02" in title and title.startswith("Queue tra"), title
         assert width_of(table.title) <= width
+
+
+def test_a_broad_pane_tells_place_age_and_what_is_left() -> None:
+    driven = reduced(state(2), tick(T0 + 65))
+    table = queue_table(driven, R0, False, 90)
+    head, current, waiting, _ = text_of(table.head), *(text_of(row.runs) for row in table.rows)
+    assert head.split() == ["Pos", "Order", "Left", "Age"]
+    assert current.split()[:2] == ["#12", "1"] and waiting.split()[:2] == ["#11", "2"]
+    assert current.index("Consumidores") == head.index("Order")
+    assert not queue_table(driven, R0, False, 50).head and "Pos" not in text_of(
+        queue_table(driven, R0, False, 50).head
+    )
+
+
+def test_the_age_of_an_order_is_exact_only_where_it_is_known() -> None:
+    """One that was there before this console may have waited for longer."""
+    listed = reduced(fleet(), queue(T0, (1, 1, 2, "Q")), tick(T0 + 91))
+    (row,) = queue_table(listed, R0, False, 90).rows
+    assert " > 91 s " in text_of(row.runs)
+    (order,) = listed.robots[R0].orders.orders
+    taken = OrderQueue(1, "", (replace(order, taken_at=T0 - 100),))
+    (row,) = queue_table(reduced(listed, events.QueueReported(R0, T0 + 91, taken)), R0, False, 90).rows
+    assert " 3 min " in text_of(row.runs) and ">" not in text_of(row.runs).replace("->", "")
