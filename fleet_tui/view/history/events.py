@@ -74,16 +74,7 @@ def past_events(
         *map(_of_command, commands),
         *map(_of_link, links),
         *(
-            PastEvent(
-                note.at,
-                None,
-                EventKind.NOTE,
-                "",
-                verbatim(note.text),
-                EMPTY,
-                EMPTY,
-                note.operator,
-            )
+            PastEvent(note.at, None, EventKind.NOTE, "", verbatim(note.text), EMPTY, EMPTY, note.operator)
             for note in notes
         ),
     ]

@@ -146,10 +146,7 @@ def _of_overlay(offered: Collection[Key[Any]], about_robot: bool) -> list[Key[An
 
 
 def footer(
-    left: Collection[Key[Any]],
-    right: Collection[Key[Any]],
-    keys: Mapping[str, tuple[str, ...]],
-    width: int,
+    left: Collection[Key[Any]], right: Collection[Key[Any]], keys: Mapping[str, tuple[str, ...]], width: int
 ) -> tuple[list[Run], list[Button]]:
     """Return the hints that fit whole into `width` cells, and their cells, each button with the id of its
     key. The permanent ones are placed first, then the others up to the first that does not fit."""

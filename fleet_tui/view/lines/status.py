@@ -190,10 +190,7 @@ def _head(state: FleetState, selected: str) -> Iterator[Run]:
     yield f" {shown}  ", StyleRole.ACCENT
     sign, role = ("▲", StyleRole.ALARM) if fresh else ("△", StyleRole.TEXT if alarms else StyleRole.DIM)
     new = tr(" ({fresh} new)", fresh=fresh) if fresh else ""
-    yield (
-        f"{sign} " + translate(counted("{count} alarm", "{count} alarms", alarms)) + new,
-        role,
-    )
+    yield (f"{sign} " + translate(counted("{count} alarm", "{count} alarms", alarms)) + new, role)
     if odd := len(to_look_at(state)):
         yield tr(", {odd} to look at", odd=odd), StyleRole.WARN
     yield from _by_site(state, role)

@@ -158,12 +158,7 @@ def _placed(pose: Pose, own: MapFrame | None, picture: MapFrame) -> tuple[Pose, 
 
 
 def _robot(
-    state: FleetState,
-    robot: Robot,
-    selection: Selection,
-    picture: MapFrame,
-    tied: bool,
-    mark: str,
+    state: FleetState, robot: Robot, selection: Selection, picture: MapFrame, tied: bool, mark: str
 ) -> SceneRobot | None:
     if robot.pose is None or robot.floor != selection.floor:
         return None

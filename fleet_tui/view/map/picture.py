@@ -11,13 +11,7 @@ from fleet_tui.model.set_up.streams import placed
 from fleet_tui.text.sanitize import cell_width
 from fleet_tui.view.map.camera import Camera
 from fleet_tui.view.map.cells import Cells
-from fleet_tui.view.map.layers import (
-    MapOptions,
-    draw_cursor,
-    draw_ground,
-    draw_labels,
-    draw_vertices,
-)
+from fleet_tui.view.map.layers import MapOptions, draw_cursor, draw_ground, draw_labels, draw_vertices
 from fleet_tui.view.map.lines import (
     draw_approach,
     draw_blocked,

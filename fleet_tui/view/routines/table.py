@@ -1,11 +1,12 @@
 """Rows of the routines, each with a row for every robot of its last run, and of a text about one."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Hashable, Sequence
+from typing import NamedTuple
 
 from fleet_tui.model.routines.lane import Lane
 from fleet_tui.model.routines.row import RoutineRow
 from fleet_tui.text.language import Message, tr, translate
-from fleet_tui.text.sanitize import fit, sanitize
+from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.routines.lines import (
     HELD,
@@ -17,6 +18,8 @@ from fleet_tui.view.routines.lines import (
     lane_word,
     row_word,
 )
+from fleet_tui.view.tables.arrangement import table_of
+from fleet_tui.view.tables.columns import UNBOUNDED, Column
 from fleet_tui.view.tables.table import Row, Run, Table, column
 
 NONE_THERE = (
@@ -41,73 +44,78 @@ _LOOKS = {
 }
 
 
-def routine_table(rows: Sequence[RoutineRow], folder: str, clock: Callable[[float], str]) -> Table:
+class ShownLane(NamedTuple):
+    """A row: a routine, or one robot of it."""
+
+    routine: RoutineRow
+    lane: Lane | None = None
+
+    @property
+    def key(self) -> Hashable:
+        return self.routine.name if self.lane is None else (self.routine.name, self.lane.robot)
+
+    @property
+    def word(self) -> Message:
+        if self.lane is None:
+            return row_word(self.routine)
+        return HELD if self.routine.is_left and not self.lane.is_over else lane_word(self.lane)
+
+
+def routine_table(
+    rows: Sequence[RoutineRow], folder: str, clock: Callable[[float], str], width: int = UNBOUNDED
+) -> Table:
     """Return the routines; the key of a row is the name, or the name and the robot. `clock` formats Unix
     seconds."""
-    title = ((tr("Routines"), StyleRole.TITLE), (tr("  Enter: start, pause, resume, stop"), StyleRole.DIM))
     if not rows:
-        text = (tr("No routine in {folder}.", folder=sanitize(folder)), *NONE_THERE)
-        return Table(
-            ((tr("Routines"), StyleRole.TITLE),),
-            [
-                Row(
-                    n,
-                    (
-                        (
-                            line
-                            if line.startswith(" ")
-                            else translate(line)
-                            if isinstance(line, Message)
-                            else line,
-                            StyleRole.TEXT,
-                        ),
-                    ),
-                )
-                for n, line in enumerate(text)
-            ],
-        )
+        told = [translate(line) if isinstance(line, Message) else line for line in NONE_THERE]
+        where = tr("No routine in {folder}.", folder=sanitize(folder))
+        return text_table(Message("Routines"), [where, *told], "")
+    title = ((tr("Routines"), StyleRole.TITLE), (tr("  Enter: start, pause, resume, stop"), StyleRole.DIM))
+    entries: list[ShownLane] = []
+    for row in rows:
+        entries.append(ShownLane(row))
+        if not all(lane.is_over for lane in row.lanes):
+            entries += (ShownLane(row, lane) for lane in row.lanes)
+    # Of robots that wait for their turn, too: the column must not change.
     names = column((name for row in rows for name in (row.name, *(f"  {one}" for one in row.plans))), 7, 18)
-    widths = ((tr("routine"), names), (tr("state"), 11), (tr("since"), 11))
-    head = " ".join([*(fit(word, cells) for word, cells in widths), tr("instruction")])
-    shown = [one for row in rows for one in _rows(row, names, clock)]
-    return Table(title, shown, head=((head, StyleRole.DIM),))
+    return table_of(title, _columns(names, clock), entries, lambda one: one.key, width)
 
 
-def _rows(row: RoutineRow, names: int, clock: Callable[[float], str]) -> Iterator[Row]:
-    times = ", ".join(tr("every {time}", time=time) for time in row.times)
-    by = (
-        tr("led by {owner}", owner=translate(row.owner))
-        if row.owner and not any(lane.is_over for lane in row.lanes)
-        else ""
-    )
-    note = "; ".join(sanitize(part) for part in (by, times) if part)
-    role = StyleRole.ALARM if row.problem else StyleRole.DIM
-    since = clock(row.at) if row.lanes else "-"
-    yield Row(
-        row.name, _runs(row.name, names, row_word(row), since, translate(sanitize(row.problem)) or note, role)
-    )
-    if not all(lane.is_over for lane in row.lanes):
-        for lane in row.lanes:
-            yield Row((row.name, lane.robot), _lane(row, lane, names, clock))
+def _columns(names: int, clock: Callable[[float], str]) -> Sequence[Column[ShownLane]]:
+    def name(one: ShownLane) -> Run:
+        return one.routine.name if one.lane is None else f"  {one.lane.robot}", StyleRole.TEXT
 
+    def state(one: ShownLane) -> Run:
+        sign, role = _LOOKS[one.word]
+        return f"{sign}{translate(one.word)}", role
 
-def _lane(row: RoutineRow, lane: Lane, names: int, clock: Callable[[float], str]) -> tuple[Run, ...]:
-    word = HELD if row.is_left and not lane.is_over else lane_word(lane)
-    text = lane_text(row.plans[lane.robot], lane)
-    return _runs(f"  {lane.robot}", names, word, clock(lane.since), text, StyleRole.TEXT)
+    def since(one: ShownLane) -> Run:
+        if one.lane is not None:
+            return clock(one.lane.since), StyleRole.DIM
+        return clock(one.routine.at) if one.routine.lanes else "-", StyleRole.DIM
 
-
-def _runs(name: str, names: int, word: Message, since: str, note: str, role: StyleRole) -> tuple[Run, ...]:
-    sign, look = _LOOKS[word]
     return (
-        (fit(name, names) + " ", StyleRole.TEXT),
-        (fit(f"{sign}{translate(word)}", 11) + " ", look),
-        (fit(since, 11) + " ", StyleRole.DIM),
-        (note, role),
+        Column("", name, names, tr("routine"), stays=True),
+        Column("", state, 11, tr("state")),
+        Column("", since, 11, tr("since")),
+        Column("", _instruction, None, tr("instruction")),
     )
 
 
-def text_table(title: Message, lines: Sequence[str]) -> Table:
-    """Return the lines of a text about a routine."""
+def _instruction(one: ShownLane) -> Run:
+    row = one.routine
+    if one.lane is not None:
+        return lane_text(row.plans[one.lane.robot], one.lane), StyleRole.TEXT
+    if row.problem:
+        return translate(sanitize(row.problem)), StyleRole.ALARM
+    is_led = row.owner and not any(lane.is_over for lane in row.lanes)
+    by = tr("led by {owner}", owner=translate(row.owner)) if is_led else ""
+    times = ", ".join(tr("every {time}", time=time) for time in row.times)
+    return "; ".join(sanitize(part) for part in (by, times) if part), StyleRole.DIM
+
+
+def text_table(title: Message, lines: Sequence[str], note: str | None = None) -> Table:
+    """Return the lines of a text about a routine; `note` is beside the title, by default how to leave it."""
     shown = [Row(n, ((sanitize(line), StyleRole.TEXT),)) for n, line in enumerate(lines)]
-    return Table(((translate(sanitize(title)), StyleRole.TITLE), (tr("  Esc: back"), StyleRole.DIM)), shown)
+    beside = tr("  Esc: back") if note is None else note
+    return Table(((translate(sanitize(title)), StyleRole.TITLE), (beside, StyleRole.DIM)), shown)

@@ -6,9 +6,11 @@ from fleet_tui.model.audit_record import AuditRecord
 from fleet_tui.model.commands import FAILURES, Stage
 from fleet_tui.text.details import detail_text
 from fleet_tui.text.language import tr
-from fleet_tui.text.sanitize import fit, sanitize
+from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.table import LateRows, Row, Run, Table, column
+from fleet_tui.view.tables.arrangement import table_of
+from fleet_tui.view.tables.columns import UNBOUNDED, Column
+from fleet_tui.view.tables.table import Run, Table
 
 TROUBLE = frozenset(stage.value for stage in (*FAILURES, Stage.NO_ANSWER, Stage.UNKNOWN)) | {
     "console closed",
@@ -42,26 +44,29 @@ def _time(record: AuditRecord) -> str:
     return record.time[5:19].replace("T", " ")
 
 
-def _row(place: int, record: AuditRecord, operators: int) -> Row:
-    role = StyleRole.ALARM if record.change in TROUBLE else _ROLES.get(record.change, StyleRole.TEXT)
-    runs: list[Run] = [
-        (fit(_time(record), 14) + " ", StyleRole.DIM),
-        (fit(record.operator, operators) + " ", StyleRole.DIM),
-        (what_text(record), StyleRole.TEXT),
-        (f": {sanitize(record.change)}", role),
-    ]
-    if record.words:
-        runs.append((detail_text(sanitize(record.words)), StyleRole.DIM))
-    return Row(place, tuple(runs))
-
-
-def audit_table(records: Sequence[AuditRecord], note: str = "", empty: str = "") -> Table:
+def audit_table(
+    records: Sequence[AuditRecord], note: str = "", empty: str = "", width: int = UNBOUNDED
+) -> Table:
     """Return records in the given sequence; `note` is beside the title, `empty` shown if there are none."""
-    operators = column((record.operator for record in records), 3, 10)
-    rows = LateRows(range(len(records)), lambda place: _row(place, records[place], operators))
-    return Table(
-        ((tr("Audit log"), StyleRole.TITLE), (f" {sanitize(note)}", StyleRole.DIM)), rows, sanitize(empty)
+    title = ((tr("Audit log"), StyleRole.TITLE), (f" {sanitize(note)}", StyleRole.DIM))
+    entries = list(enumerate(records))
+    return table_of(
+        title, _COLUMNS, entries, lambda entry: entry[0], width, empty=sanitize(empty), has_head=False
     )
+
+
+def _told(entry: tuple[int, AuditRecord]) -> list[Run]:
+    _, record = entry
+    role = StyleRole.ALARM if record.change in TROUBLE else _ROLES.get(record.change, StyleRole.TEXT)
+    runs = [(what_text(record), StyleRole.TEXT), (f": {record.change}", role)]
+    return [*runs, (detail_text(sanitize(record.words)), StyleRole.DIM)] if record.words else runs
+
+
+_COLUMNS: Sequence[Column[tuple[int, AuditRecord]]] = (
+    Column("", lambda entry: (_time(entry[1]), StyleRole.DIM), 14, "", stays=True),
+    Column("", lambda entry: (entry[1].operator, StyleRole.DIM), (3, 10), ""),
+    Column("", _told, None, ""),
+)
 
 
 def details(record: AuditRecord) -> list[str]:

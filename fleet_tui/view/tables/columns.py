@@ -19,6 +19,8 @@ MEASURED = 1000
 """Rows whose cells decide the width of a column: of ten thousand only those in view are made."""
 LEAST_REST = 10
 """Cells that the last column has before the others give way."""
+PARTS = 0.7
+"""Share of a text from which the whole parts at its end are shown for it."""
 GAP: Run = " ", StyleRole.TEXT
 
 
@@ -27,7 +29,8 @@ class Column(Struct, Generic[Item], frozen=True):
     `cell` returns what is shown, None for a value that is only found. `cells` is its width, or the least and
     the most of one that depends on what it holds, None for the rest of the row. It is shown in panes of
     `from_cells` on. `text` returns what a filter finds, by default what is shown, and `order` what sorts. One
-    that `is_apart` is found only by its name. One that `stays` never slides away."""
+    that `is_apart` is found only by its name. One that `stays` never slides away. `may_go`: it is left out
+    where the others would have too few cells, and needs none. `ends_differ`: texts are cut at their front."""
 
     name: str
     cell: Callable[[Item], Run | list[Run]] | None = None
@@ -39,6 +42,8 @@ class Column(Struct, Generic[Item], frozen=True):
     is_apart: bool = False
     is_right: bool = False
     stays: bool = False
+    may_go: bool = False
+    ends_differ: bool = False
 
     @property
     def title(self) -> str:
@@ -62,12 +67,20 @@ class FittedColumns(Generic[Item]):
         self._columns = [one for one in columns if one.cell is not None and width >= one.from_cells]
         self._cells = [_cells(one, items) for one in self._columns]
         self._width = width
-        over = (LEAST_REST if None in self._cells else 0) - self.rest
+        for place, one in reversed(list(enumerate(self._columns))):
+            if self._over > 0 and one.may_go and self._cells[place] is not None:
+                del self._columns[place], self._cells[place]
         for place, one in reversed(list(enumerate(self._columns))):
             cells = self._cells[place]
-            if over > 0 and cells is not None and isinstance(one.cells, tuple):
-                self._cells[place] = max(one.cells[0], cells - over)
-                over -= cells - max(one.cells[0], cells - over)
+            if self._over > 0 and cells is not None and isinstance(one.cells, tuple):
+                self._cells[place] = max(one.cells[0], cells - self._over)
+
+    @property
+    def _over(self) -> int:
+        """Return the cells that the row lacks."""
+        pairs = zip(self._columns, self._cells, strict=True)
+        has_rest = any(cells is None and not one.may_go for one, cells in pairs)
+        return (LEAST_REST if has_rest else 0) - self.rest
 
     def shows(self, name: str) -> bool:
         """Tell whether it has a column of this name."""
@@ -106,9 +119,11 @@ class FittedColumns(Generic[Item]):
         for n, (one, fixed) in enumerate(zip(self._columns, self._cells, strict=True)):
             runs = one.runs(item)
             if fixed is None and n == last:
-                made += runs
+                made = [*_without_blanks(made, width_of(runs) - self.rest), *runs]
                 continue
             cells = self.rest - 1 if fixed is None else fixed
+            if one.ends_differ:
+                runs = [(cut_at_front(text, cells), role) for text, role in runs]
             if one.is_right:
                 made.append((" " * max(0, cells - width_of(runs)), StyleRole.TEXT))
                 cells = min(cells, width_of(runs))
@@ -122,6 +137,30 @@ def _cells(one: Column[Item], items: Sequence[Item]) -> int | None:
     least, most = one.cells
     texts = (_text(one.runs(item)) for item in islice(items, MEASURED))
     return column(texts, max(least, min(most, cell_width(one.title))), most)
+
+
+def _without_blanks(runs: list[Run], cells: int) -> list[Run]:
+    """Return runs without so many of the blank cells at their end, as far as there are, but for one: what
+    follows would be cut beside them."""
+    kept, text = list(runs), _text(runs)
+    left = min(cells, len(text) - len(text.rstrip()) - 1)
+    while left > 0:
+        text, role = kept.pop()
+        gone = min(left, len(text) - len(text.rstrip()))
+        left -= gone
+        if gone < len(text):
+            kept.append((text[: len(text) - gone], role))
+    return kept
+
+
+def cut_at_front(text: str, cells: int) -> str:
+    """Return a text of at most so many letters, cut at its front, before a part if that leaves most of it:
+    `…/scan`, but `…e_to_pose/_action/status`, for other actions have such an end, too."""
+    if len(text) <= cells:
+        return text
+    end = text[1 - cells :]
+    whole = end[max(0, end.find("/")) :]
+    return f"…{whole if len(whole) >= cells * PARTS else end}"
 
 
 def _text(runs: Sequence[Run]) -> str:

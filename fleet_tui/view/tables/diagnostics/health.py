@@ -1,19 +1,23 @@
 """Rows of /diagnostics: one for each part, the worst first, its values below while it is opened."""
 
 from collections import Counter
-from collections.abc import Collection, Hashable, Iterator, Mapping
+from collections.abc import Collection, Hashable, Iterator, Mapping, Sequence
 
 from fleet_tui.model.order import natural
 from fleet_tui.model.ros_logs import Health, PartDiagnosis
 from fleet_tui.text.language import tr, translate
-from fleet_tui.text.sanitize import fit, sanitize
+from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import ago
 from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.tables.arrangement import table_of
+from fleet_tui.view.tables.columns import UNBOUNDED, Column
 from fleet_tui.view.tables.diagnostics.links import Links, down
-from fleet_tui.view.tables.table import Row, Table, column
+from fleet_tui.view.tables.table import Row, Run, Table
 
 OLD = 10.0
 """Seconds after which a report is old: robots report about once a second."""
+Entry = tuple[tuple[str, str], PartDiagnosis]
+"""The key of a part, by its link and name, and the part."""
 _LOOKS: Mapping[int, tuple[str, StyleRole]] = {
     Health.OK: ("● OK", StyleRole.GOOD),
     Health.WARN: ("▲ WARN", StyleRole.WARN),
@@ -28,49 +32,64 @@ def _look(level: int) -> tuple[str, StyleRole]:
     return _LOOKS.get(level, (tr("? level {level}", level=level), StyleRole.WARN))
 
 
-def health_table(links: Links, opened: Collection[Hashable], wanted: str, now: float) -> Table:
+def health_table(
+    links: Links, opened: Collection[Hashable], wanted: str, now: float, width: int = UNBOUNDED
+) -> Table:
     """Return the parts, the worst first; `opened` are the keys of rows whose values are shown."""
     sought = wanted.casefold()
-    found = sorted(
+    parts = sorted(
         (
-            ((link.name, one.name), one)
+            ((link.name, part.name), part)
             for link, counter in links
-            for one in counter.health.values()
-            if sought in f"{one.name} {one.message} {one.hardware}".casefold()
+            for part in counter.health.values()
+            if sought in f"{part.name} {part.message} {part.hardware}".casefold()
         ),
         key=lambda entry: (_BY_LEVEL.get(entry[1].level, 0), natural(entry[1].name)),
     )
-    names = column((one.name for _, one in found), 6, 30)
-    rows = [row for key, one in found for row in _rows(key, one, names, key in opened, now)]
-    levels = Counter(_look(one.level)[0][2:] for _, one in found if one.level != Health.OK)
-    note = tr(" /diagnostics  {found} parts", found=len(found))
+    levels = Counter(_look(part.level)[0][2:] for _, part in parts if part.level != Health.OK)
+    note = tr(" /diagnostics  {found} parts", found=len(parts))
     note += "".join(f", {count} {word}" for word, count in sorted(levels.items()))
     note += tr(", matching {wanted}", wanted=sanitize(wanted)) if wanted else ""
-    title = (tr("Robot diagnostics"), StyleRole.TITLE), (note, StyleRole.DIM), *down(links)
-    empty = (
-        tr("no matching part")
+    return table_of(
+        ((tr("Robot diagnostics"), StyleRole.TITLE), (note, StyleRole.DIM), *down(links)),
+        _columns(now),
+        parts,
+        _key,
+        width,
+        below=lambda entry: _values(entry) if _key(entry) in opened else (),
+        empty=tr("no matching part")
         if wanted
-        else tr("nothing received on /diagnostics (subscribed while this screen is open)")
+        else tr("nothing received on /diagnostics (subscribed while this screen is open)"),
+        has_head=False,
     )
-    return Table(title, rows, empty)
 
 
-def _rows(key: Hashable, one: PartDiagnosis, names: int, is_open: bool, now: float) -> Iterator[Row]:
-    word, role = _look(one.level)
-    is_old = now - one.at > OLD
-    came = translate(ago(one.at, now))
-    if is_old:
-        came = tr("old, {ago}", ago=came)
-    yield Row(
-        key,
-        (
-            (f"{word:<10}", StyleRole.DIM if is_old else role),
-            (fit(one.name, names) + " ", StyleRole.TEXT),
-            (f"{came:>15}  ", StyleRole.WARN if is_old else StyleRole.DIM),
-            (sanitize(one.message), StyleRole.TEXT),
-        ),
+def _key(entry: Entry) -> Hashable:
+    return entry[0]
+
+
+def _columns(now: float) -> Sequence[Column[Entry]]:
+    def level(entry: Entry) -> Run:
+        word, role = _look(entry[1].level)
+        return word, StyleRole.DIM if is_old(entry) else role
+
+    def came(entry: Entry) -> Run:
+        at = translate(ago(entry[1].at, now))
+        return (tr("old, {ago}", ago=at), StyleRole.WARN) if is_old(entry) else (at, StyleRole.DIM)
+
+    def is_old(entry: Entry) -> bool:
+        return now - entry[1].at > OLD
+
+    return (
+        Column("", level, (9, 12), ""),
+        Column("", lambda entry: (entry[1].name, StyleRole.TEXT), (6, 30), "", stays=True),
+        Column("", came, 16, "", is_right=True),
+        Column("", lambda entry: (entry[1].message, StyleRole.TEXT), None, ""),
     )
-    if is_open:
-        for n, (name, value) in enumerate(((tr("hardware"), one.hardware), *one.values)):
-            shown = ((f"          {sanitize(name)}: ", StyleRole.DIM), (sanitize(value), StyleRole.TEXT))
-            yield Row((key, n), shown)
+
+
+def _values(entry: Entry) -> Iterator[Row]:
+    key, part = entry
+    for n, (name, value) in enumerate(((tr("hardware"), part.hardware), *part.values)):
+        shown = ((f"          {sanitize(name)}: ", StyleRole.DIM), (sanitize(value), StyleRole.TEXT))
+        yield Row((key, n), shown)

@@ -44,10 +44,7 @@ def link_table(links: Links, now: float) -> Table:
         runs = (f"{sanitize(link.name)} ", StyleRole.TITLE), (sanitize(link.url), StyleRole.TEXT)
         rows.append(Row((link.name, ""), runs))
         rows += [
-            Row(
-                (link.name, name),
-                ((f"  {tr(name):<14}", StyleRole.DIM), *runs),
-            )
+            Row((link.name, name), ((f"  {tr(name):<14}", StyleRole.DIM), *runs))
             for name, runs in _fields(link, counter, now)
         ]
     return Table(((tr("Link"), StyleRole.TITLE),), rows, tr("console starting"))
@@ -86,16 +83,9 @@ def _fields(link: LinkState, counter: LinkCounter, now: float) -> Iterator[tuple
     yield N_("last message"), ((translate(ago(at, now)), StyleRole.WARN if silent else StyleRole.TEXT),)
     yield N_("connections"), tuple(_connections(counter, now))
     yield N_("dropped"), (_count(counter.dropped, tr("frames: too large, or queue full")),)
-    yield (
-        N_("superseded"),
-        (_count(counter.overtaken, tr("frames: replaced by newer ones")),),
-    )
+    yield (N_("superseded"), (_count(counter.overtaken, tr("frames: replaced by newer ones")),))
     why = (
-        tr(
-            "frames, last {ago}: {text}",
-            ago=ago(counter.bad.raw.at, now),
-            text=counter.bad.text,
-        )
+        tr("frames, last {ago}: {text}", ago=ago(counter.bad.raw.at, now), text=counter.bad.text)
         if counter.bad
         else tr("frames")
     )

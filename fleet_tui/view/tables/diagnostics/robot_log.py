@@ -1,18 +1,20 @@
 """The log of the robots, newest last, filtered by level and text."""
 
 import re
-from collections.abc import Callable, Collection, Hashable, Iterable, Iterator
+from collections.abc import Callable, Collection, Hashable, Iterable, Iterator, Sequence
 from textwrap import wrap
 
 from fleet_tui.model.counters import snapshot
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.ros_logs import LogLine, Severity
 from fleet_tui.text.language import Message, tr, translate
-from fleet_tui.text.sanitize import cell_width, fit, sanitize
+from fleet_tui.text.sanitize import cell_width, sanitize
 from fleet_tui.text.units import ago
 from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.tables.arrangement import table_of
+from fleet_tui.view.tables.columns import UNBOUNDED, Column
 from fleet_tui.view.tables.diagnostics.links import Links, down
-from fleet_tui.view.tables.table import LateRows, Row, Table, column
+from fleet_tui.view.tables.table import Row, Run, Table
 
 _LOOKS = {
     Severity.DEBUG: ("· DEBUG", StyleRole.DIM),
@@ -49,17 +51,14 @@ def _wall(line: LogLine, offset: float) -> float:
     return line.stamp if line.stamp is not None else line.at + offset
 
 
-def _row(line: LogLine, nodes: int, time: str) -> Row:
-    word, role = (
-        _LOOKS[line.severity] if line.severity else (tr("level {level}", level=line.level), StyleRole.WARN)
-    )
-    runs = (
-        (f"{time} ", StyleRole.DIM),
-        (f"{word:<8}", role),
-        (fit(line.node, nodes) + " ", StyleRole.DIM),
-        (sanitize(line.text), StyleRole.ALARM if role is StyleRole.ALARM else StyleRole.TEXT),
-    )
-    return Row(id(line), runs)
+def _level(line: LogLine) -> Run:
+    if line.severity:
+        return _LOOKS[line.severity]
+    return tr("level {level}", level=line.level), StyleRole.WARN
+
+
+def _text(line: LogLine) -> Run:
+    return line.text, StyleRole.ALARM if _level(line)[1] is StyleRole.ALARM else StyleRole.TEXT
 
 
 def _wrapped(line: LogLine, width: int) -> Iterator[str]:
@@ -68,17 +67,6 @@ def _wrapped(line: LogLine, width: int) -> Iterator[str]:
         text = sanitize(part)
         letters = width if cell_width(text) == len(text) else width // 2
         yield from wrap(text, max(1, letters - INDENT), break_on_hyphens=False)
-
-
-def _with_wholes(
-    lines: Iterable[LogLine], opened: Collection[Hashable], width: int
-) -> Iterator[tuple[Hashable, LogLine, str]]:
-    """Yield the key of each row, its line, and for those below an opened line their part of its message."""
-    for line in lines:
-        yield id(line), line, ""
-        if id(line) in opened:
-            for n, text in enumerate(_wrapped(line, width)):
-                yield (id(line), n), line, text
 
 
 def _filters(least: Severity, wanted: str) -> str:
@@ -99,20 +87,23 @@ def robot_log_table(
     """Return a row for each line, and below those `opened` their whole messages, wrapped to `width` cells.
     `clock` formats Unix seconds as the time of day: the line's own, or that of its arrival."""
     found = wanted_lines(lines, least, wanted)
-    nodes = column((line.node for line in found), 4, 24)
     offset = state.wall - state.now
-    shown = list(_with_wholes(found, opened, width))
 
-    def row(place: int) -> Row:
-        key, line, text = shown[place]
-        if text:
-            return Row(key, ((" " * INDENT + text, StyleRole.TEXT),))
-        return _row(line, nodes, clock(_wall(line, offset)))
+    def whole(line: LogLine) -> Iterable[Row]:
+        parts = _wrapped(line, width) if id(line) in opened else ()
+        return (Row((id(line), n), ((" " * INDENT + text, StyleRole.TEXT),)) for n, text in enumerate(parts))
 
-    rows = LateRows([key for key, _, _ in shown], row)
+    time = cell_width(clock(state.wall))
+    columns: Sequence[Column[LogLine]] = (
+        Column("", lambda line: (clock(_wall(line, offset)), StyleRole.DIM), time, "", stays=True),
+        Column("", _level, (7, 10), ""),
+        Column("", lambda line: (line.node, StyleRole.DIM), (4, 24), ""),
+        Column("", _text, None, ""),
+    )
     note = _filters(least, wanted) + (
         tr(", last {ago}", ago=translate(ago(_wall(lines[-1], offset), state.wall))) if lines else ""
     )
     counts = tr(" /rosout  {found} of {lines} lines, {note}", found=len(found), lines=len(lines), note=note)
     title = (tr("Robot log"), StyleRole.TITLE), (counts, StyleRole.DIM), *down(links)
-    return Table(title, rows, tr("no matching line") if lines else translate(NOTHING))
+    empty = tr("no matching line") if lines else translate(NOTHING)
+    return table_of(title, columns, found, id, width or UNBOUNDED, below=whole, empty=empty, has_head=False)
