@@ -9,13 +9,15 @@ from fleet_tui.rules.battery.forecast import BatteryForecast
 from fleet_tui.rules.battery.history import BatterySample
 from fleet_tui.rules.history.division import Division
 from fleet_tui.text.language import tr, translate
-from fleet_tui.text.sanitize import fit, sanitize
+from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import age
 from fleet_tui.view.history.bars import bars_of, legend_of, level
 from fleet_tui.view.history.events import EventKind, PastEvent, matching
 from fleet_tui.view.history.shift import ShownShift
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.table import LateRows, Row, Run, Table, column
+from fleet_tui.view.tables.arrangement import table_of
+from fleet_tui.view.tables.columns import Column
+from fleet_tui.view.tables.table import Run, Table
 
 Clock = Callable[[float], str]
 
@@ -26,79 +28,84 @@ HELD = "█", "#"
 
 def events_table(shown: ShownShift, words: Sequence[str], clock: Clock) -> Table:
     """Return the events with every word, the newest first; the key of a row is the event."""
-    events = matching(shown.events, words)[::-1]
-    title = _title(tr("Events"), f"{len(events):,}")
 
-    def row(place: int) -> Row:
-        event = events[place]
+    def told(event: PastEvent) -> Run:
         role = StyleRole.ALARM if event.is_trouble else StyleRole.TEXT
-        look = StyleRole.ACCENT if event.kind is EventKind.NOTE else role
-        return Row(event, ((f"{clock(event.told_at)}  ", StyleRole.DIM), (event.text, look)))
+        return event.text, StyleRole.ACCENT if event.kind is EventKind.NOTE else role
 
-    return Table(title, LateRows(events, row), empty=_empty(shown, words, tr("nothing happened")))
+    events = matching(shown.events, words)[::-1]
+    columns: Sequence[Column[PastEvent]] = (
+        Column("", lambda event: (f"{clock(event.told_at)} ", StyleRole.DIM), (1, 16), "", stays=True),
+        Column("", told, None, ""),
+    )
+    empty = _empty(shown, words, tr("nothing happened"))
+    title = _title(tr("Events"), f"{len(events):,}")
+    return table_of(title, columns, events, lambda event: event, empty=empty, has_head=False)
 
 
 def robots_table(shown: ShownShift, words: Sequence[str], clock: Clock, is_ascii: bool) -> Table:
     """Return a bar for each robot; the key of a row is its name."""
     names = [name for name in shown.timeline if _has(name, words)]
-    width = column(names, at_most=NAMES)
-    rows = [
-        Row(name, ((f"{fit(name, width)} ", StyleRole.TEXT), *bars_of(shown.timeline[name], is_ascii)))
-        for name in names
-    ]
-    title = (
-        *_title(tr("Robots"), str(len(rows))),
-        *legend_of((shown.timeline[name] for name in names), is_ascii),
+    columns: Sequence[Column[str]] = (
+        _NAME,
+        Column(
+            "", lambda name: list(bars_of(shown.timeline[name], is_ascii)), None, _times(shown.time, clock)
+        ),
     )
-    return Table(
-        title, rows, _empty(shown, words, tr("no robot was seen")), head=_head(shown.time, width, clock)
-    )
+    legend = legend_of((shown.timeline[name] for name in names), is_ascii)
+    title = (*_title(tr("Robots"), str(len(names))), *legend)
+    return table_of(title, columns, names, str, empty=_empty(shown, words, tr("no robot was seen")))
 
 
 def batteries_table(
     shown: ShownShift, words: Sequence[str], clock: Clock, is_ascii: bool, low: float
 ) -> Table:
     """Return a small curve for each robot; the key of a row is its name; `low` is the limit in per cent."""
+
+    def curve(name: str) -> list[Run]:
+        lasts = f" {_lasts(shown.forecasts.get(name))}", StyleRole.DIM
+        return [(_curve(shown.charges[name], shown.time.parts, is_ascii), StyleRole.ACCENT), lasts]
+
     names = [name for name in shown.charges if _has(name, words)]
-    width = column(names, at_most=NAMES)
-    rows = [
-        Row(
-            name,
-            (
-                (f"{fit(name, width)} ", StyleRole.TEXT),
-                *_levels(shown.charges[name], low, is_ascii),
-                (_curve(shown.charges[name], shown.time.parts, is_ascii), StyleRole.ACCENT),
-                (f" {_lasts(shown.forecasts.get(name))}", StyleRole.DIM),
-            ),
-        )
-        for name in names
-    ]
-    title = _title(tr("Batteries"), str(len(rows)))
-    head = _head(shown.time, width + LEVEL_CELLS, clock)
-    return Table(title, rows, _empty(shown, words, tr("no battery was seen")), head=head)
+    columns: Sequence[Column[str]] = (
+        _NAME,
+        Column("", lambda name: _levels(shown.charges[name], low, is_ascii), LEVEL_CELLS - 1, ""),
+        Column("", curve, None, _times(shown.time, clock)),
+    )
+    title = _title(tr("Batteries"), str(len(names)))
+    return table_of(title, columns, names, str, empty=_empty(shown, words, tr("no battery was seen")))
 
 
+_NAME: Column[str] = Column("", lambda name: (name, StyleRole.TEXT), (1, NAMES), "", stays=True)
 LEVEL_CELLS = 12
 
 
 def alarms_table(shown: ShownShift, words: Sequence[str], clock: Clock, is_ascii: bool) -> Table:
     """Return a line of time for each alarm, those that held longest first; the key of a row is its last
     life."""
-    ranked = sorted(_by_alarm(shown), key=lambda one: -sum(_held(life, shown.time) for life in one))
-    lives = [one for one in ranked if _has(f"{one[0].kind} {one[0].source} {one[0].text}", words)]
-    names = [f"{translate(one[0].kind)} {one[0].source}" for one in lives]
-    width = column(map(sanitize, names), at_most=2 * NAMES)
-    rows = []
-    for name, of_one in zip(names, lives, strict=True):
-        total, count = sum(_held(life, shown.time) for life in of_one), sum(life.count for life in of_one)
-        often = tr("once") if count == 1 else tr("{count} times", count=count)
-        said = f"{fit(often, 10)}{fit(age(total), 8)}"
-        line = _held_cells(of_one, shown.time, is_ascii)
-        runs = ((f"{fit(sanitize(name), width)} ", StyleRole.TEXT), (said, StyleRole.DIM), *line)
-        rows.append(Row(of_one[-1], runs))
-    title = _title(tr("Alarms"), str(len(rows)))
-    head = _head(shown.time, width + 18, clock)
-    return Table(title, rows, _empty(shown, words, tr("no alarm")), head=head)
+
+    def name(lives: list[AlarmLife]) -> Run:
+        return f"{translate(lives[0].kind)} {lives[0].source}", StyleRole.TEXT
+
+    def often(lives: list[AlarmLife]) -> Run:
+        count = sum(life.count for life in lives)
+        return tr("once") if count == 1 else tr("{count} times", count=count), StyleRole.DIM
+
+    def total(lives: list[AlarmLife]) -> float:
+        return sum(_held(life, shown.time) for life in lives)
+
+    ranked = sorted(_by_alarm(shown), key=total, reverse=True)
+    alarms = [lives for lives in ranked if _has(f"{lives[0].kind} {lives[0].source} {lives[0].text}", words)]
+    columns: Sequence[Column[list[AlarmLife]]] = (
+        Column("", name, (1, 2 * NAMES), "", stays=True),
+        Column("", often, 9, ""),
+        Column("", lambda lives: (age(total(lives)), StyleRole.DIM), 7, ""),
+        Column("", lambda lives: _held_cells(lives, shown.time, is_ascii), None, _times(shown.time, clock)),
+    )
+    title = _title(tr("Alarms"), str(len(alarms)))
+    return table_of(
+        title, columns, alarms, lambda lives: lives[-1], empty=_empty(shown, words, tr("no alarm"))
+    )
 
 
 def curve_of(charges: Sequence[ChargeTotal], time: Division) -> list[BatterySample]:
@@ -142,19 +149,19 @@ def _has(text: str, words: Sequence[str]) -> bool:
     return all((word[1:] not in line) if word.startswith("!") else word in line for word in words)
 
 
-def _head(time: Division, left: int, clock: Clock) -> tuple[Run, ...]:
+def _times(time: Division, clock: Clock) -> str:
     """Return local times above the cells of a picture, a few of them."""
-    text = " " * (left + 1)
+    text = ""
     for part in range(0, time.parts - 10, max(12, time.parts // 6)):
-        text = text.ljust(left + 1 + part) + clock(time.since + part * time.step)
-    return ((text, StyleRole.DIM),)
+        text = text.ljust(part) + clock(time.since + part * time.step)
+    return text
 
 
-def _levels(charges: Sequence[ChargeTotal], low: float, is_ascii: bool) -> tuple[Run, Run]:
+def _levels(charges: Sequence[ChargeTotal], low: float, is_ascii: bool) -> list[Run]:
     last, lowest = charges[-1].last, min(one.low for one in charges)
     role = StyleRole.ALARM if lowest < low else StyleRole.DIM
     mark = ("v" if is_ascii else "▾") if lowest < low else " "
-    return (f"{last:4.0f}% ", StyleRole.TEXT), (f"{mark}{lowest:3.0f}% ", role)
+    return [(f"{last:4.0f}% ", StyleRole.TEXT), (f"{mark}{lowest:3.0f}%", role)]
 
 
 def _curve(charges: Sequence[ChargeTotal], parts: int, is_ascii: bool) -> str:

@@ -44,7 +44,7 @@ def test_events_are_newest_first_and_trouble_is_red() -> None:
         "00095  robot_1 order 13 -> B: lost (left)",
         "00085  robot_0 order 12 A -> B: done (waited 15 s, driven in 60 s), by ana",
     ]
-    assert [row.runs[1][1] for row in table.rows] == [StyleRole.ALARM, StyleRole.TEXT]
+    assert [row.runs[-1][1] for row in table.rows] == [StyleRole.ALARM, StyleRole.TEXT]
     assert moment_of(table.rows[0].key) == ("robot_1", 95.0)
     assert lines(events_table(shown, ["!lost"], clock)) == lines(table)[1:]
 
