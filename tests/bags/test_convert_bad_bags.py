@@ -17,7 +17,6 @@ from fleet_tui.bags.convert import convert
 from fleet_tui.bags.opening import BagError
 from fleet_tui.errors import FleetError
 from fleet_tui.recording.indexing import open_recording
-from tests.conftest import MORE_EXAMPLES
 from tests.support.bag_replay import battery, made_of, night, played, pose
 from tests.support.bags import KINDS, Said, bag_config, written
 from tests.support.fleets import R0
@@ -131,7 +130,7 @@ def test_damage_is_an_error_or_what_could_be_read(form: str, tmp_path: Path) -> 
     read = []
 
     # The same each time: the last line wants some that can be read.
-    @settings(max_examples=MORE_EXAMPLES or 10, deadline=None, database=None, derandomize=True)
+    @settings(max_examples=settings().max_examples // 2, deadline=None, database=None, derandomize=True)
     @given(st.integers(0, len(whole) - 1), st.integers(0, 255), st.integers(0, 3))
     def damaged(place: int, byte: int, cut: int) -> None:
         content = bytearray(whole)

@@ -38,7 +38,7 @@ MEANING: dict[str, Any] = json.loads(gzip.decompress((FILES / "meaning.json.gz")
 
 def shown(state: FleetState) -> dict[str, Any]:
     """The rows that an operator sees of a state, without the padding and the commas of their columns."""
-    rows = [text_of(row.runs) for row in queue_table(state, "robot_0", True, 100).rows]
+    rows = [text_of(row.runs) for row in queue_table(state, "robot_0", True, 56).rows]
     rows = [" ".join(row.replace(",", "").split()) for row in rows]
     commands = [
         [written(one.command, state), one.stage.value, one.detail, one.order_id] for one in state.commands

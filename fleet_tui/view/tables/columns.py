@@ -124,9 +124,9 @@ class FittedColumns(Generic[Item]):
             cells = self.rest - 1 if fixed is None else fixed
             if one.ends_differ:
                 runs = [(cut_at_front(text, cells), role) for text, role in runs]
-            if one.is_right:
-                made.append((" " * max(0, cells - width_of(runs)), StyleRole.TEXT))
-                cells = min(cells, width_of(runs))
+            if one.is_right and (pad := cells - width_of(runs)) > 0:
+                made.append((" " * pad, StyleRole.TEXT))
+                cells -= pad
             made += (*cut(runs, cells), GAP)
         return tuple(made)
 

@@ -9,7 +9,6 @@ from fleet_tui.model.order import Order, Stop, pose_text, route_text
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.goals import own_ids
 from fleet_tui.rules.commands.local_queue import foreign
-from fleet_tui.rules.routes.remaining import metres_left
 from fleet_tui.text.language import Message, counted, tr, translate
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import age
@@ -23,7 +22,11 @@ def distance_left(state: FleetState, robot: Robot, order: Order) -> float | None
     reported = _reported(state, robot, order)
     if reported is not None and reported.metres is not None:
         return reported.metres
-    return metres_left(robot, order) if state.is_fresh(robot, "pose") else None
+    if not state.is_fresh(robot, "pose"):
+        return None
+    from fleet_tui.rules.routes.remaining import metres_left  # numpy: the first picture can do without
+
+    return metres_left(robot, order)
 
 
 def left_text(state: FleetState, robot: Robot, order: Order) -> str:

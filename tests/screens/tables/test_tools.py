@@ -20,7 +20,7 @@ async def test_sorting_goes_through_the_columns_and_back(server: RosbridgeServer
         await it.until(lambda state: all(robot.battery for robot in state.robots.values()))
         await it.press("tab", "S")
         await it.shows("by robot")
-        await it.press("S", "S")
+        await it.press("S")
         await it.shows("by battery")
         percent = {name[-1]: robot.battery for name, robot in it.store.state.robots.items()}
         wanted = sorted(percent, key=lambda name: percent[name].value if percent[name] else 0.0)  # type: ignore[union-attr]  # waited for
