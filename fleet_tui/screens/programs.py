@@ -2,15 +2,13 @@
 
 import asyncio
 import time
-from collections.abc import Hashable, Mapping
-from functools import partial
+from collections.abc import Hashable
 from typing import TYPE_CHECKING, ClassVar
 
-from rich.style import Style
 from textual import on
 from textual.app import ComposeResult
 from textual.binding import BindingType
-from textual.widgets import Input, Static
+from textual.widgets import Input
 
 from fleet_tui.controllers.dispatch import Ask
 from fleet_tui.controllers.programs import ProgramRequests, since_text
@@ -20,12 +18,11 @@ from fleet_tui.programs.arguments import log
 from fleet_tui.programs.log_tail import LogTail
 from fleet_tui.programs.watch import ProgramWatch
 from fleet_tui.screens.overlay import ReturningOverlay
-from fleet_tui.text.language import EMPTY, tr, translate
+from fleet_tui.screens.tables.paged_overlay import TableOverlay
+from fleet_tui.text.language import tr, translate
 from fleet_tui.view.programs.table import log_table, note, program_table
-from fleet_tui.view.roles import StyleRole
 from fleet_tui.widgets.bindings import overlay_bindings
 from fleet_tui.widgets.field import Field, Keys
-from fleet_tui.widgets.rows_pane import RowsPane
 
 if TYPE_CHECKING:
     from fleet_tui.screens.main import MainScreen
@@ -40,7 +37,7 @@ def programs_overlay(screen: "MainScreen", ask: Ask, open_menu: OpenMenu) -> "Pr
     return Programs(watch, requests)
 
 
-class Programs(ReturningOverlay):
+class Programs(ReturningOverlay, TableOverlay):
     """One table: the programs, or the lines of a log with a field that filters them."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
@@ -49,7 +46,7 @@ class Programs(ReturningOverlay):
     ]
 
     def __init__(self, watch: ProgramWatch, requests: ProgramRequests) -> None:
-        super().__init__(id="programs")
+        super().__init__("programs", self._choose, EVERY)
         self._watch = watch
         self.requests = requests
         self._log_of = ""
@@ -57,37 +54,20 @@ class Programs(ReturningOverlay):
         self._following: asyncio.Task[None] | None = None
         self._cursor: Hashable = None
         self._end: Hashable = None
-        self._has_timer = False
-        self._noted = ""
-        self.rows = RowsPane(id="program-rows", choose=self._choose)
 
     def compose(self) -> ComposeResult:
         """Compose a field that appears above a log, the rows, and the whole note of the marked one."""
-        keys: Keys = {
-            "escape": self.leave_log,
-            "up": partial(self.rows.move, -1),
-            "down": partial(self.rows.move, 1),
-            "pageup": partial(self.rows.move, -10),
-            "pagedown": partial(self.rows.move, 10),
-        }
-        yield Field(
-            keys, id="program-filter", placeholder=tr("type to filter the log; Esc: back to the programs")
-        )
+        keys: Keys = {**self.keys_of_rows(), "escape": self.leave_log}
+        text = tr("type to filter the log; Esc: back to the programs")
+        yield Field(keys, id="programs-filter", placeholder=text)
         yield self.rows
-        yield Static(id="program-note", markup=False)
-
-    def set_role_styles(self, styles: Mapping[StyleRole, Style]) -> None:
-        """Change every colour."""
-        self.rows.set_role_styles(styles)
+        yield self._note
 
     def show(self) -> None:
         """Open on the list."""
         self._end_log()
-        self.open(self.rows)
-        self._tick()
-        if not self._has_timer:
-            self._has_timer = True
-            self.set_interval(EVERY, self._tick)
+        self.begin(self.rows)
+        self.tick()
 
     def show_log(self, name: str) -> None:
         program, status = self._watch.programs[name], self._watch.rows[name].status
@@ -104,13 +84,13 @@ class Programs(ReturningOverlay):
             field.value = ""
         field.display = True
         self.open(field)
-        self._look()
+        self.look()
 
     def leave_log(self) -> None:
         """Return from a log to the list."""
         self._end_log()
         self.screen.set_focus(self.rows)
-        self._look()
+        self.look()
 
     def _end_log(self) -> None:
         """Follow no log any more."""
@@ -125,36 +105,33 @@ class Programs(ReturningOverlay):
         if isinstance(key, str):
             self.requests.menu(key, self.show_log)
 
-    def _tick(self) -> None:
+    def tick(self) -> None:
+        """Look at the programs only while they are shown."""
         if self.is_open:
             self._watch.open()
-            self._look()
         else:
             self._watch.close()
             self._end_log()
+        super().tick()
 
-    def on_resize(self) -> None:
-        """Fill it at its new size."""
-        if self.is_open:
-            self._look()
+    def tick_closed(self) -> bool:
+        return True
 
-    @on(Input.Changed, "#program-filter")
+    @on(Input.Changed, "#programs-filter")
     def _typed(self, event: Input.Changed) -> None:
         event.stop()
-        self._look()
+        self.look()
 
-    def _look(self) -> None:
+    def look(self) -> None:
         """Show the current rows."""
         now = time.monotonic()
         if self._log_of:
             self._show_log()
         else:
-            self.rows.show(program_table(list(self._watch.rows.values()), since_text, now))
+            rows = list(self._watch.rows.values())
+            self.rows.show(program_table(rows, since_text, now, self.rows.row_width))
         marked = self._watch.rows.get(str(self.rows.listing.cursor))
-        said = note(marked, now) if marked is not None else EMPTY
-        if said != self._noted:  # an update lays out the whole screen
-            self._noted = said
-            self.query_one("#program-note", Static).update(translate(said))
+        self.note(translate(note(marked, now)) if marked is not None else "")
 
     def _show_log(self) -> None:
         wanted = self.query_one(Field).value.strip()

@@ -1,13 +1,11 @@
 """The routines: a list with the progress of each robot, and a text about one of them."""
 
 import time
-from collections.abc import Hashable, Mapping, Sequence
+from collections.abc import Hashable, Sequence
 from typing import TYPE_CHECKING, ClassVar
 
-from rich.style import Style
 from textual.app import ComposeResult
 from textual.binding import BindingType
-from textual.widgets import Static
 
 from fleet_tui.controllers.dispatch import Ask
 from fleet_tui.controllers.parts import InBackground
@@ -18,11 +16,10 @@ from fleet_tui.controllers.typed import OpenMenu
 from fleet_tui.log_file import state_folder
 from fleet_tui.routines.look import RoutinePlace
 from fleet_tui.screens.overlay import ReturningOverlay
+from fleet_tui.screens.tables.paged_overlay import TableOverlay
 from fleet_tui.text.language import Message
-from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.routines.table import routine_table, text_table
 from fleet_tui.widgets.bindings import overlay_bindings
-from fleet_tui.widgets.rows_pane import RowsPane
 
 if TYPE_CHECKING:
     from fleet_tui.screens.main import MainScreen
@@ -44,7 +41,7 @@ def routines_overlay(
     return Routines(place, RoutineRequests(place, *parts, led, ask, open_menu, in_background), led, ask)
 
 
-class Routines(ReturningOverlay):
+class Routines(ReturningOverlay, TableOverlay):
     """One table: the routines, or the lines of a text about one. What runs here goes on while it is
     closed."""
 
@@ -54,48 +51,38 @@ class Routines(ReturningOverlay):
     ]
 
     def __init__(self, place: RoutinePlace, requests: RoutineRequests, led: LedRoutines, ask: Ask) -> None:
-        super().__init__(id="routines")
+        super().__init__("routines", self._choose, EVERY)
         self._place = place
         self._requests = requests
         self._led = led
         self._ask = ask
         self._text: tuple[Message, Sequence[str]] | None = None
         self._looked = 0.0
-        self._has_timer = False
-        self._noted = ""
-        self.rows = RowsPane(id="routine-rows", choose=self._choose)
 
     def compose(self) -> ComposeResult:
         """Compose the rows, and the whole text of the marked one."""
         yield self.rows
-        yield Static(id="routine-note", markup=False)
-
-    def set_role_styles(self, styles: Mapping[StyleRole, Style]) -> None:
-        """Change every colour."""
-        self.rows.set_role_styles(styles)
+        yield self._note
 
     def show(self) -> None:
         """Open on the list."""
         self._text = None
         self._looked = 0.0
-        self.open(self.rows)
-        self._tick()
-        if not self._has_timer:
-            self._has_timer = True
-            self.set_interval(EVERY, self._tick)
+        self._requests.tick()
+        self.begin(self.rows)
 
     def show_text(self, title: Message, lines: Sequence[str]) -> None:
         """Show a text in the place of the list."""
         self._text = title, lines
         self.open(self.rows)
-        self._fill()
+        self.look()
 
     def action_back(self) -> None:
         """Return from a text to the list, from the list to the console."""
         if self._text is None:
             self.action_close()
         self._text = None
-        self._fill()
+        self.look()
 
     def _choose(self, key: Hashable) -> None:
         match key:
@@ -104,33 +91,29 @@ class Routines(ReturningOverlay):
             case (str() as name, str() as robot):
                 self._requests.menu(name, robot, self.show_text)
 
-    def _tick(self) -> None:
+    def tick(self) -> None:
+        """What runs goes on while it is closed."""
         self._requests.tick()
-        if not self.is_open:
-            return
+        super().tick()
+
+    def tick_closed(self) -> bool:
+        return True
+
+    def look(self) -> None:
+        """Show the current rows."""
         if time.monotonic() - self._looked > LOOK_EVERY:
             self._looked = time.monotonic()
             self._requests.look()
-        self._fill()
-
-    def on_resize(self) -> None:
-        """Fill it at its new size."""
-        if self.is_open:
-            self._fill()
-
-    def _fill(self) -> None:
-        """Show the current rows."""
         if self._text is not None:
             table = text_table(*self._text)
         else:
-            table = routine_table(self._requests.rows, str(self._place.folder), since_text)
+            table = routine_table(
+                self._requests.rows, str(self._place.folder), since_text, self.rows.row_width
+            )
         self.rows.show(table)
         cursor = self.rows.listing.cursor
         marked = next((row for row in table.rows if row.key == cursor), None)
-        text = marked.runs[-1][0] if marked is not None else ""
-        if text != self._noted:  # an update lays out the whole screen
-            self._noted = text
-            self.query_one("#routine-note", Static).update(text)
+        self.note(marked.runs[-1][0] if marked is not None else "")
 
     @property
     def has_losses(self) -> bool:

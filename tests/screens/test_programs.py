@@ -24,7 +24,7 @@ from tests.support.console_pilot import Console, console
 from tests.support.stand_ins import with_status
 from tests.support.watched_store import config_of
 
-PANE = "program-rows"
+PANE = "programs-rows"
 
 
 @asynccontextmanager
@@ -171,7 +171,7 @@ async def test_a_log_follows_its_end_and_is_filtered_as_one_types(
         await it.shows("○ stopped", PANE)
         await it.press("enter", "2")
         await it.shows("5 of 5 lines", PANE)
-        assert it.app.main.query_one("#program-filter", Input).value == ""
+        assert it.app.main.query_one("#programs-filter", Input).value == ""
 
 
 async def test_programs_that_hang_flood_or_are_missing_are_told_and_hold_up_nothing(
@@ -204,7 +204,7 @@ async def test_nothing_runs_once_it_is_closed(server: RosbridgeServer, tmp_path:
         await it.shows("● running", PANE)
         await it.press("escape")
         overlay = it.app.main.rest.programs
-        overlay._tick()
+        overlay.tick()
         assert not [
             task for task in asyncio.all_tasks() if "ProgramWatch" in repr(task) and not task.cancelling()
         ]

@@ -20,7 +20,7 @@ from tests.support.routine_files import hurry, routine
 from tests.support.scenario import calls
 from tests.support.watched_store import config_of
 
-PANE = "routine-rows"
+PANE = "routines-rows"
 DAY = "for robot_0\ncarry Base Consumidores\nrun ./gate\nend\n"
 
 

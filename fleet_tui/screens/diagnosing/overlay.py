@@ -6,7 +6,6 @@ from typing import ClassVar
 
 from textual import on
 from textual.binding import BindingType
-from textual.timer import Timer
 from textual.widgets import Input
 
 from fleet_tui.keys import DIAGNOSTICS, PAGES, Pane, by_id
@@ -149,30 +148,15 @@ class Diagnostics(PagedOverlay):
         self._keys = keys
         self._controls = DiagnosticsControls(self, pages)
         self._end: Hashable = None
-        self.refreshing: Timer | None = None
         text = tr("filter text; Enter keeps it, Esc clears it")
-        super().__init__("diagnostics", self._controls.choose, text)
+        super().__init__("diagnostics", self._controls.choose, EVERY, text)
 
     def show(self, robot: str, cause: Reason | None = None) -> None:
         """Open on the last page, first the link's, for a `cause` on the one that shows more of it; `robot` is
         the one whose topic is marked first."""
         self.open(self.rows)
         self._controls.begin(robot, None if cause is None else Page[cause.page.upper()])
-        self._tick()
-        if self.refreshing is None:
-            self.refreshing = self.set_interval(EVERY, self._tick)
-
-    def _tick(self) -> None:
-        if self.is_open:
-            self.look()
-        elif self.refreshing is not None:
-            self.refreshing.stop()
-            self.refreshing = None
-
-    def on_resize(self) -> None:
-        """Fill it at its new size."""
-        if self.is_open:
-            self.look()
+        self.begin(self.rows)
 
     @property
     def output(self) -> DisplayDriver:

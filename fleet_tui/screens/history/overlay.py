@@ -9,7 +9,6 @@ from msgspec.structs import replace
 from textual import on
 from textual.app import SuspendNotSupported
 from textual.binding import BindingType
-from textual.timer import Timer
 from textual.widgets import Input
 
 from fleet_tui.controllers.history.controls import HistoryControls, words_of
@@ -167,21 +166,18 @@ class HistoryOverlay(PagedOverlay):
         low = lambda: screen.store.state.limits.battery_low  # noqa: E731  # of the newest state
         in_background = partial(run_in_background, self)
         self._controls = HistoryControls(self, screen.files, replaying, in_background, low)
-        self._timer: Timer | None = None
         words = tr("words, !word; Enter keeps them, Esc clears them")
-        super().__init__("history", self._controls.choose, words)
+        super().__init__("history", self._controls.choose, EVERY, words)
 
     def show(self) -> None:
         """Open on the page that was open last."""
-        self.open(self.rows)
+        self.begin(self.rows)
         self._controls.page(self._controls.page_number)
-        if self._timer is None:
-            self._timer = self.set_interval(EVERY, self._tick)
 
-    def _tick(self) -> None:
-        if not self.is_open and self._timer is not None:
-            self._timer.stop()
-            self._timer = None
+    def tick(self) -> None:
+        """Read a history that goes on."""
+        if not self.is_open:
+            super().tick()
         elif not self._controls.until and not self._controls.is_reading:
             self._controls.read()
 
@@ -189,7 +185,7 @@ class HistoryOverlay(PagedOverlay):
         """Read it for its new size."""
         if self.is_open:
             self._controls.read()
-            self.look()
+        super().on_resize()
 
     @property
     def parts(self) -> int:

@@ -7,11 +7,16 @@ from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Row, Table
 
 
+class Things(PagedOverlay):
+    def look(self) -> None:
+        self.rows.show(Table((), [Row(n, ((str(n), StyleRole.TEXT),)) for n in "ab"]))
+
+
 class Paged(App[None]):
     def __init__(self) -> None:
         super().__init__()
         self.chosen: list[object] = []
-        self.pages = PagedOverlay("things", self.chosen.append, "words")
+        self.pages = Things("things", self.chosen.append, 1.0, "words")
 
     def compose(self) -> ComposeResult:
         yield self.pages
@@ -24,7 +29,6 @@ async def test_its_parts_and_what_enter_chooses() -> None:
         assert names == ["things-pages", "things-filter", "things-rows", "things-beside", "things-keys"]
         assert not app.pages.beside.display, "it is for overlays with a second page"
         app.pages.set_role_styles({})
-        app.pages.open(app.pages.rows)
-        app.pages.rows.show(Table((), [Row(n, ((str(n), StyleRole.TEXT),)) for n in "ab"]))
+        app.pages.begin(app.pages.rows)
         await pilot.press("down", "enter")
         assert app.chosen == ["b"]
