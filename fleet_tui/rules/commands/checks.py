@@ -139,14 +139,15 @@ def not_in_queue(state: FleetState, robot: Robot, command: Command) -> Iterator[
     old = not state.is_fresh(robot, "queue")
     order = next((one for one in all_orders(state, robot) if one.id == command.order_id), None)
     if order is None and robot.kind.lists_orders:
-        its = Message("an order") if robot.kind.keeps_goals else Message("in the queue")
-        text = Message(
-            "order {order_id} is not {its} of {name}",
-            order_id=command.order_id,
-            its=its,
-            name=robot.name,
-        )
-        yield Problem("not in the queue", text + (" at last report" if old else ""), blocks=not old)
+        if robot.kind.keeps_goals:
+            text = Message("{name} has no order {order_id}", name=robot.name, order_id=command.order_id)
+        else:
+            text = Message(
+                "order {order_id} is not in the queue of {name}", order_id=command.order_id, name=robot.name
+            )
+        if old:
+            text = Message("{problem} at last report", problem=text)
+        yield Problem("not in the queue", text, blocks=not old)
     elif order is not None and order.is_over:
         text = Message(
             "order {order_id} of {name} is already {state_text}",
