@@ -108,7 +108,8 @@ def _arrived(config: Config, site: "DiscoveredSite | None") -> str:
     masters = [name for name, link in config.bridges.items() if link.role == "master"]
     if masters and not config.operator.read_only:
         return Message(
-            "master control on {masters}: ways by the graph, no traffic control", masters=", ".join(masters)
+            "master control on {masters}: routes from the graph, no traffic control",
+            masters=", ".join(masters),
         )
     if site is not None:
         return Message("{shown}: {summary}. :save keeps it", shown=site.bridge.shown, summary=site.summary)

@@ -130,7 +130,7 @@ class WaitingOrders:
     def _enqueue(self, robot: Robot) -> tuple[Stage, Message]:
         if len(waiting(self._store.state, robot)) >= MOST_WAITING:
             return Stage.NOT_SENT, Message(
-                "{name} has {MOST_WAITING} orders waiting here, the maximum",
+                "{name} already has {MOST_WAITING} orders waiting here, the maximum",
                 name=robot.name,
                 MOST_WAITING=MOST_WAITING,
             )

@@ -248,7 +248,7 @@ def _usable(floor: DocumentFloor) -> tuple[DocumentFloor, list[str]]:
     """Return the floor without vertices at no place and edges without both ends, and the faults."""
     vertices = {id_: v for id_, v in floor.vertices.items() if abs(v.x) <= FARTHEST and abs(v.y) <= FARTHEST}
     faults: list[str] = [
-        Message("vertex {id} is at no place: left out", id=id_)
+        Message("vertex {id} has no position: left out", id=id_)
         for id_ in floor.vertices
         if id_ not in vertices
     ]

@@ -71,9 +71,7 @@ def run_in_terminal(command: Sequence[str]) -> Message:
         signal.signal(signal.SIGINT, before)
     said = shlex.join(["fleet-tui", *command[3:]])
     return (
-        Message(
-            "it ended with status {returncode}; this says why: {said}", returncode=done.returncode, said=said
-        )
+        Message("exit status {returncode}: {said}", returncode=done.returncode, said=said)
         if done.returncode
         else EMPTY
     )

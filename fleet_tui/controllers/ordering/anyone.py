@@ -68,7 +68,7 @@ class AnyoneOrders:
         changed = [place.name for place in found.places if not is_still(robot, place)]
         if changed:
             problem: Message = Message(
-                "not sent: {changed} of {robot} is another place now",
+                "not sent: {changed} of {robot} is a different place now",
                 changed=sanitize(changed[0]),
                 robot=found.robot,
             )

@@ -196,7 +196,7 @@ class OrderRequests:
         if before is None:
             self._notices.say(
                 Message(
-                    "order {order_id} is there already, or does not wait here any more",
+                    "order {order_id} is already there, or no longer waits here",
                     order_id=sanitize(order_id),
                 )
             )

@@ -120,7 +120,7 @@ class MappingControls:
                     )
                 )
         self._parts.open_menu(
-            joined("\n", map(sanitize, lines)), entries or [(Message("Nothing can be done"), lambda: None)]
+            joined("\n", map(sanitize, lines)), entries or [(Message("No action available"), lambda: None)]
         )
 
     def _switch(self, on: bool) -> None:

@@ -26,7 +26,7 @@ from fleet_tui.text.language import EMPTY, Message
 
 PREFIX = "k"
 """Prefix of the ids of orders that are kept here: a robot's goals have hexadecimal ones."""
-ANOTHER_CLIENT = Message("another client drives")
+ANOTHER_CLIENT = Message("another client is driving")
 HELD_BY_OTHERS = (ANOTHER_CLIENT, "someone else drives")
 """The second is that of older recordings."""
 

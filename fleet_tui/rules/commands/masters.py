@@ -34,7 +34,7 @@ def shared_way(state: FleetState, robot: Robot, command: Command) -> Iterator[Pr
     ]
     if others:
         text = Message(
-            "the way of {name} shares an edge with {some}: no traffic control here",
+            "the route of {name} shares an edge with {some}: no traffic control here",
             name=robot.name,
             some=some(others),
         )
@@ -143,7 +143,7 @@ def no_heading(_state: FleetState, robot: Robot, command: Command) -> Iterator[P
         return
     if any(stop.pose is not None and not stop.turns_freely for stop in command.stops):
         text = Message(
-            "{name} takes no heading by its factsheet: it turns at the goal as it likes", name=robot.name
+            "{name} accepts no heading (factsheet): it chooses its own at the goal", name=robot.name
         )
         yield Problem("no heading", text, blocks=False)
 

@@ -170,7 +170,7 @@ def mistakable(robot: Robot, floors: Iterable[tuple[str, str]]) -> Iterator[Prob
                 "{name_on} on {floor}", name_on=_name_on(robot, vertex, robot.floor), floor=robot.floor
             )
             text = Message(
-                "{meant} can't be named: {name} takes its id {vertex} as {taken}, where it is",
+                "{meant} can't be ordered: where {name} is, the id {vertex} is that of {taken}",
                 meant=meant,
                 name=robot.name,
                 vertex=vertex,
@@ -179,7 +179,7 @@ def mistakable(robot: Robot, floors: Iterable[tuple[str, str]]) -> Iterator[Prob
             yield Problem("floor mismatch", text)
         else:
             text = Message(
-                "{meant} has the id {vertex}, which {others} has too: the robot decides which is meant",
+                "{meant} has the id {vertex}, as has {others}: the robot decides between them",
                 meant=meant,
                 vertex=vertex,
                 others=others[0],

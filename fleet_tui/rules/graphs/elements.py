@@ -85,7 +85,7 @@ def places(floor: DocumentFloor, inputs: LintInputs) -> Iterator[GraphFinding]:
     for id_, vertex in floor.vertices.items():
         if not (abs(vertex.x) <= FARTHEST and abs(vertex.y) <= FARTHEST):
             text = Message(
-                "vertex {named}: ({x}, {y}) m is no place on a floor",
+                "vertex {named}: ({x}, {y}) m is not a place on a floor",
                 named=named(vertex),
                 x=f"{vertex.x:g}",
                 y=f"{vertex.y:g}",
@@ -108,7 +108,7 @@ def values(floor: DocumentFloor, inputs: LintInputs) -> Iterator[GraphFinding]:
             yield _error(
                 "value",
                 Message(
-                    "vertex {named}: heading {heading} is no angle",
+                    "vertex {named}: heading {heading} is not an angle",
                     named=named(vertex),
                     heading=f"{vertex.heading:g}",
                 ),
@@ -153,7 +153,7 @@ def labels(floor: DocumentFloor, inputs: LintInputs) -> Iterator[GraphFinding]:
     taken = dict[str, str]()
     for id_, label in floor.labels.items():
         if not folded(label):
-            yield _error("label", Message("vertex {id}: label of blanks only", id=id_), id_)
+            yield _error("label", Message("vertex {id}: label is blank", id=id_), id_)
             continue
         if sanitize(label) != label:
             text = Message(

@@ -167,7 +167,7 @@ def doubled(floor: DocumentFloor) -> Iterator[GraphFinding]:
         other = next((ways[way] for way in both if way in ways), None)
         if other is not None:
             text = Message(
-                "edge {id} doubles edge {other} from {start} to {end}",
+                "edge {id} duplicates edge {other} from {start} to {end}",
                 id=id_,
                 other=other,
                 start=edge.start,

@@ -20,7 +20,7 @@ def edge_named(robot: Robot, floor: str, start: str, end: str) -> Ends:
         names = sorted(robot_map.labels.get(vertex, vertex) for vertex in joined)
         raise CommandError(
             Message(
-                "no edge {start} - {end} on {floor}: {start2} is joined with {some}",
+                "no edge {start} - {end} on {floor}: {start2} connects to {some}",
                 start=start,
                 end=end,
                 floor=floor,

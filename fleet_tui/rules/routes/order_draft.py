@@ -51,7 +51,7 @@ class DraftRoute(Struct, frozen=True):
     def text(self) -> Message:
         """Return its length, and a guess of its time."""
         if self.metres is None:
-            return Message("no way on the graph")
+            return Message("no path on the graph")
         lift = Message(", by lift") if self.by_lift else EMPTY
         to_start = (
             Message("{approach} m to the start, then ", approach=f"{self.approach:.0f}")

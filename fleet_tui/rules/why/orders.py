@@ -40,7 +40,7 @@ from fleet_tui.text.units import age
 SHORT = 20.0
 """Seconds of standing with an order that need no cause."""
 RESTART = Message("Restart the program that carries out its orders, then check them")
-LOOK = Message("Go and look at it: its way, wheels, emergency stop, manual mode")
+LOOK = Message("Go and check its path, wheels, emergency stop and manual mode")
 
 
 def command(state: FleetState, robot: Robot) -> Reason | None:

@@ -198,7 +198,7 @@ def jumps(state: FleetState, robot: Robot) -> Reason | None:
         ),
     )
     evidence, keys = (
-        Message("the last by {value} m: its pose is not to be trusted", value=f"{last.value:.1f}"),
+        Message("last by {value} m: do not trust its pose", value=f"{last.value:.1f}"),
         ("pose", "centre", *DIAGNOSE),
     )
     return Reason(name, evidence, since=recent[0].at, seen=last.at, keys=keys, remedy=NO_POSE.action)
@@ -211,9 +211,9 @@ def misplaced(state: FleetState, robot: Robot) -> Reason | None:
         return None  # off its routes is another rule's, with the metres
     pose, is_now = robot.pose.value, is_misplaced(robot)
     evidence: Message = Message(
-        "at {x}, {y} m on {floor} no robot can be", x=f"{pose.x:.1f}", y=f"{pose.y:.1f}", floor=robot.floor
+        "no robot can be at {x}, {y} m on {floor}", x=f"{pose.x:.1f}", y=f"{pose.y:.1f}", floor=robot.floor
     )
-    evidence = evidence if is_now else Message("its pose has just been where no robot can be")
+    evidence = evidence if is_now else Message("its pose was just at an impossible place")
     is_sure = is_now or misplaced_for_long(state, robot) is not None
     strength = Strength.CERTAIN if is_sure else Strength.LIKELY
     strength = strength if state.is_fresh(robot, "pose") else Strength.POSSIBLE

@@ -103,7 +103,7 @@ def route_section(state: FleetState, robot: Robot) -> PageSection:
     return _titled(
         tr("Route"),
         _route(state, robot),
-        tr("no order begun yet") if robot.orders.open else tr("no order is driven"),
+        tr("no order started yet") if robot.orders.open else tr("no order in process"),
     )
 
 
@@ -118,7 +118,7 @@ def _route(state: FleetState, robot: Robot) -> Iterator[Line]:
         return
     metres = metres_left(robot, order)
     if metres is None or robot.pose is None:
-        yield named(tr("Left"), (tr("no way on the graph is known"), StyleRole.DIM))
+        yield named(tr("Left"), (tr("no path on the graph is known"), StyleRole.DIM))
     elif state.is_old(robot, "pose"):
         seen = tr(
             "{metres} m from its pose {age} ago", metres=f"{metres:.0f}", age=age(state.now - robot.pose.at)

@@ -76,7 +76,7 @@ def routine_table(rows: Sequence[RoutineRow], folder: str, clock: Callable[[floa
 def _rows(row: RoutineRow, names: int, clock: Callable[[float], str]) -> Iterator[Row]:
     times = ", ".join(tr("every {time}", time=time) for time in row.times)
     by = (
-        tr("led by {owner}", owner=translate(row.owner))
+        tr("run by {owner}", owner=translate(row.owner))
         if row.owner and not any(lane.is_over for lane in row.lanes)
         else ""
     )
