@@ -59,11 +59,11 @@ class Fields:
         self.faults.append(
             truncate(
                 Message(
-                    "{path}{name} is {value}, not {what}",
+                    "{path}{name} is {given}, not {expected}",
                     path=self._path,
                     name=name,
-                    value=f"{value!r}",
-                    what=what,
+                    given=f"{value!r}",
+                    expected=what,
                 ),
                 LONGEST_NAME,
             )

@@ -153,7 +153,7 @@ def _end(vehicle: Vehicle, actions: Sequence[VehicleAction]) -> tuple[OrderState
     for one in actions:
         if one.status == "FAILED" and not one.is_beside:
             return OrderState.FAILED, ": ".join(
-                filter(None, (Message("{value} failed", value=one.type or "action"), one.text))
+                filter(None, (Message("{action} failed", action=one.type or "action"), one.text))
             )
     return OrderState.DONE, ""
 

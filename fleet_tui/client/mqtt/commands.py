@@ -295,11 +295,13 @@ class VehicleCommands:
     def _check(self, command: Command, late: float) -> None:
         """Raise CommandError or LinkError if a command must not be sent."""
         if late > LATEST:
-            raise CommandError(Message("console busy for {late} s: repeat the command", late=f"{late:.1f}"))
+            raise CommandError(
+                Message("console busy for {seconds} s: repeat the command", seconds=f"{late:.1f}")
+            )
         # A pause is tried even if other commands are held back: it can only make things safer.
         if not isinstance(command, PauseRobot) and self._connection.silence > LONGEST_SILENCE:
             raise LinkError(
-                Message("no reply from the broker for {silence} s", silence=f"{self._connection.silence:.1f}")
+                Message("no reply from the broker for {seconds} s", seconds=f"{self._connection.silence:.1f}")
             )
         state = self._writer.store.state
         robot = state.robots[command.robot]

@@ -91,9 +91,9 @@ class AnyoneOrders:
         if places is None:
             return None
         names = " -> ".join(sanitize(place.name) for place in places)
-        text = Message("nearest idle robot: {names}", names=names)
+        text = Message("nearest idle robot: {route}", route=names)
         if to_any(state, places) is not None:
-            text = Message("any robot of the dispatcher: {names}", names=names)
+            text = Message("any robot of the dispatcher: {route}", route=names)
         return Typed([(text, partial(self._do, places))], complete(line, state))
 
     def _do(self, places: Sequence[Place]) -> None:

@@ -171,9 +171,9 @@ class RoutineRequests:
             self._notices.say(
                 sanitize(
                     Message(
-                        "{name}: {value}",
+                        "{name}: {change}",
                         name=name,
-                        value=Message("continued, held") if is_left else Message("started"),
+                        change=Message("continued, held") if is_left else Message("started"),
                     )
                 )
             )

@@ -165,9 +165,9 @@ def nothing_to_clear(state: FleetState, robot: Robot, command: Command) -> Itera
             return
         old, ours = not state.is_fresh(robot, "queue"), Message(" of this console") * robot.kind.clears_own
         text = Message(
-            "{name} {value}",
+            "{name} {fact}",
             name=robot.name,
-            value=Message("had no orders{ours} at last report", ours=ours)
+            fact=Message("had no orders{ours} at last report", ours=ours)
             if old
             else Message("has no orders{ours}", ours=ours),
         )
@@ -291,4 +291,4 @@ def repeated(request: Request, given: Mapping[tuple[Command, ...], float], now: 
     places = any(isinstance(command, PlaceOrder) for command in request.commands)
     if at is None or now - at >= SAME_WITHIN or not places:
         return []
-    return [Problem("repeated", Message("same order sent {now} s ago", now=f"{now - at:.1f}"))]
+    return [Problem("repeated", Message("same order sent {seconds} s ago", seconds=f"{now - at:.1f}"))]

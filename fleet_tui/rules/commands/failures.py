@@ -150,8 +150,8 @@ def _texts(robot: Robot, last: commands.CommandRecord, request: Message) -> tupl
     # The failure and its cause are first: they must not be cut at the right end.
     over = Message(_OVER.get(last.stage, "failed"))
     return (
-        Message("{stage}: {told}", stage=Message(last.stage.value), told=told),
-        Message("{stage}: {told}", stage=over, told=request),
+        Message("{stage}: {reason}", stage=Message(last.stage.value), reason=told),
+        Message("{stage}: {reason}", stage=over, reason=request),
     )
 
 

@@ -64,14 +64,12 @@ def other_master(now: float, robot: Robot, command: Command) -> Message:
     if robot.vehicle is None or not isinstance(command, PlaceOrder | CancelOrder | ClearOrders):
         return EMPTY
     if robot.master is not None and now - robot.master.at < QUIET_FOR:
-        seen = Message(
-            "{value}, {age} ago", value=Message(robot.master.value), age=age(now - robot.master.at)
-        )
+        seen = Message("{name}, {age} ago", name=Message(robot.master.value), age=age(now - robot.master.at))
         return Message(
-            "another master control commands {name} ({seen}): stop it, or wait {QUIET_FOR} s",
+            "another master control commands {name} ({seen}): stop it, or wait {seconds} s",
             name=robot.name,
             seen=seen,
-            QUIET_FOR=f"{QUIET_FOR:.0f}",
+            seconds=f"{QUIET_FOR:.0f}",
         )
     foreign = next((goal.id for goal in active(robot.goals) if not goal.is_ours), "")
     return (

@@ -82,10 +82,10 @@ def _nav2(floor: DocumentFloor) -> Iterator[GraphFinding]:
         for id_ in ids:
             if id_.isascii() and id_.isdecimal() and (len(id_) > 9 or int(id_) > UINT16):
                 text = Message(
-                    "{kind} {id}: id over {UINT16}, too large for Nav2's messages",
+                    "{kind} {id}: id over {limit}, too large for Nav2's messages",
                     kind=Message(kind),
                     id=id_,
-                    UINT16=UINT16,
+                    limit=UINT16,
                 )
                 of_vertex, of_edge = ((id_,), ()) if kind == "vertex" else ((), (id_,))
                 yield GraphFinding("nav2 id", text, True, floor.name, of_vertex, of_edge)

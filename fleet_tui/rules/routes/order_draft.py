@@ -66,12 +66,12 @@ class DraftRoute(Struct, frozen=True):
         takes = _rounded_up((self.metres + self.approach) / (self.pace or SPEED))
         if self.pace is None:
             return Message(
-                "{to_start}{metres} m{lift}, about {takes} at an assumed {SPEED} m/s{after}",
+                "{to_start}{metres} m{lift}, about {takes} at an assumed {pace} m/s{after}",
                 to_start=to_start,
                 metres=f"{self.metres:.0f}",
                 lift=lift,
                 takes=takes,
-                SPEED=SPEED,
+                pace=SPEED,
                 after=after,
             )
         return Message(

@@ -428,7 +428,7 @@ def legend(look: MapOptions) -> tuple[HelpSection, ...]:
     return (
         *(
             HelpSection(
-                Message("Legend: {kind}, {value}", kind=Message(kind), value=Message(look.drawing.value)),
+                Message("Legend: {kind}, {drawing}", kind=Message(kind), drawing=Message(look.drawing.value)),
                 rows,
             )
             for kind, rows in drawn.items()

@@ -144,7 +144,7 @@ def _orders(state: FleetState, robot: Robot) -> Iterator[Line]:
     for order in waiting[:LAST]:
         yield named(tr("Waiting"), (whose_mission(state, robot, order), StyleRole.TEXT))
     if len(waiting) > LAST:
-        yield named(tr(""), (tr("and {waiting} more", waiting=len(waiting) - LAST), StyleRole.DIM))
+        yield named(tr(""), (tr("and {count} more", count=len(waiting) - LAST), StyleRole.DIM))
     yield from ended_rows(state, robot)
 
 
@@ -214,7 +214,7 @@ def vehicle_rows(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
             yield named(tr(one.sort.capitalize()), (sanitize(f"{one.name}: {one.state}"), StyleRole.TEXT))
     if robot.master is not None:
         text = Message(
-            "{value}, {age} ago", value=Message(robot.master.value), age=age(state.now - robot.master.at)
+            "{name}, {age} ago", name=Message(robot.master.value), age=age(state.now - robot.master.at)
         )
         yield named(tr("Master"), (sanitize(text), StyleRole.TEXT))
 

@@ -171,7 +171,7 @@ def instead_of_set_up(robot: Robot, record: CommandRecord, command: SetUp) -> st
             return Message("the robot does not report that it is charging")
         case SetMapping():
             return (
-                Message("the robot reports {value}", value=Message(robot.mode.value))
+                Message("the robot reports {mode}", mode=Message(robot.mode.value))
                 if robot.mode
                 else Message("no mode received")
             )

@@ -43,9 +43,9 @@ def health_table(links: Links, opened: Collection[Hashable], wanted: str, now: f
     names = column((one.name for _, one in found), 6, 30)
     rows = [row for key, one in found for row in _rows(key, one, names, key in opened, now)]
     levels = Counter(_look(one.level)[0][2:] for _, one in found if one.level != Health.OK)
-    note = tr(" /diagnostics  {found} parts", found=len(found))
+    note = tr(" /diagnostics  {count} parts", count=len(found))
     note += "".join(f", {count} {word}" for word, count in sorted(levels.items()))
-    note += tr(", matching {wanted}", wanted=sanitize(wanted)) if wanted else ""
+    note += tr(", matching {text}", text=sanitize(wanted)) if wanted else ""
     title = (tr("Robot diagnostics"), StyleRole.TITLE), (note, StyleRole.DIM), *down(links)
     empty = (
         tr("no matching part")

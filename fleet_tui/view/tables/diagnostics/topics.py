@@ -98,8 +98,8 @@ def topic_table(
         keys, lambda n: Row(keys[n], (*_runs(states[n], found[n][1], names, bad, now, has_sizes, has_why),))
     )
     trouble = sum(role in (StyleRole.WARN, StyleRole.ALARM) for _, role in states)
-    note = tr(" {found}, {trouble} with problems", found=len(found), trouble=trouble) + (
-        tr(", matching {wanted}", wanted=sanitize(wanted)) if wanted else ""
+    note = tr(" {topics}, {trouble} with problems", topics=len(found), trouble=trouble) + (
+        tr(", matching {text}", text=sanitize(wanted)) if wanted else ""
     )
     title = (tr("Topics"), StyleRole.TITLE), (note, StyleRole.DIM), *down(links)
     if any(is_late(link) for link, _ in links):
