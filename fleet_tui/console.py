@@ -108,7 +108,8 @@ def _arrived(config: Config, site: "DiscoveredSite | None") -> str:
     masters = [name for name, link in config.bridges.items() if link.role == "master"]
     if masters and not config.operator.read_only:
         return Message(
-            "master control on {masters}: ways by the graph, no traffic control", masters=", ".join(masters)
+            "master control on {masters}: routes from the graph, no traffic control",
+            masters=", ".join(masters),
         )
     if site is not None:
         return Message("{shown}: {summary}. :save keeps it", shown=site.bridge.shown, summary=site.summary)
@@ -117,7 +118,7 @@ def _arrived(config: Config, site: "DiscoveredSite | None") -> str:
     if config.path.parent != Path.cwd():
         return f"{config.path}: {told}"
     return Message(
-        "./{name}: {told}. fleet-tui demo shows a simulated fleet", name=config.path.name, told=told
+        "./{name}: {problem}. fleet-tui demo shows a simulated fleet", name=config.path.name, problem=told
     )
 
 
@@ -302,7 +303,7 @@ def _ready(
         )
     for warning in warnings:
         LOG.warning("%s", warning)
-    more = Message(" and {warnings} more", warnings=len(warnings) - 1) if warnings[1:] else ""
+    more = Message(" and {count} more", count=len(warnings) - 1) if warnings[1:] else ""
     message = "; ".join([*(f"{one}{more}" for one in warnings[:1]), *filter(None, [message])])
     use_language(config.ui.language)
     mode, colour = drawing_for(drawing or config.ui.drawing), has_colour()

@@ -78,7 +78,7 @@ def test_a_simulated_fleet_names_the_first_thing_to_try(
 @pytest.mark.parametrize(
     ("role", "read_only", "said"),
     [
-        ("master", False, "master control on broker: ways by the graph, no traffic control"),
+        ("master", False, "master control on broker: routes from the graph, no traffic control"),
         ("master", True, "1 robot"),
         ("pause", False, "1 robot"),
     ],

@@ -42,17 +42,17 @@ def decode(data: bytes, width: int, height: int) -> Decoded:
                     None,
                     size,
                     Message(
-                        "{size} x {size2} px exceeds {MOST_PIXELS} px",
-                        size=size[0],
-                        size2=size[1],
-                        MOST_PIXELS=f"{MOST_PIXELS:,}",
+                        "{width} x {height} px exceeds {limit} px",
+                        width=size[0],
+                        height=size[1],
+                        limit=f"{MOST_PIXELS:,}",
                     ),
                 )
             return Decoded(_scaled(image, max(width, 1), max(height, 1)), size)
     except UnidentifiedImageError:
         return Decoded(None, reason=Message("unreadable: cut off, or neither JPEG nor PNG"))
     except Image.DecompressionBombError:
-        return Decoded(None, reason=Message("exceeds {MOST_PIXELS} px", MOST_PIXELS=f"{MOST_PIXELS:,}"))
+        return Decoded(None, reason=Message("exceeds {limit} px", limit=f"{MOST_PIXELS:,}"))
     except Exception as problem:  # noqa: BLE001  # hostile bytes: decoders raise what no list has in full
         text = sanitize(verbatim(truncate(str(problem), LONGEST_REASON)))
         return Decoded(None, reason=Message("unreadable: {text}", text=text or type(problem).__name__))

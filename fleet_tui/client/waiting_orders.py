@@ -130,9 +130,9 @@ class WaitingOrders:
     def _enqueue(self, robot: Robot) -> tuple[Stage, Message]:
         if len(waiting(self._store.state, robot)) >= MOST_WAITING:
             return Stage.NOT_SENT, Message(
-                "{name} has {MOST_WAITING} orders waiting here, the maximum",
+                "{name} already has {limit} orders waiting here, the maximum",
                 name=robot.name,
-                MOST_WAITING=MOST_WAITING,
+                limit=MOST_WAITING,
             )
         busy = Message("is paused") if robot.paused_by_us else Message("has an order")
         if self._file is None:

@@ -97,7 +97,9 @@ class AlarmResponses:
         fresh = key in unacknowledged(self._store.state)
         if self._post(AlarmAcknowledged(*key)) and fresh:
             self._notices.note(
-                Message("acknowledged: {key} alarm of {key2}", key=Message(key[1]), key2=sanitize(key[0]))
+                Message(
+                    "acknowledged: {kind} alarm of {source}", kind=Message(key[1]), source=sanitize(key[0])
+                )
             )
 
     def acknowledge_all(self) -> None:

@@ -92,7 +92,7 @@ class Dispatch:
         if refused := self._not_allowed(request):
             return refused
         return self._backend.refusal or (
-            Message("not sent: {wrong}", wrong=sanitize(wrong[0])) if wrong else EMPTY
+            Message("not sent: {problem}", problem=sanitize(wrong[0])) if wrong else EMPTY
         )
 
     def _not_allowed(self, request: Request) -> Message:
@@ -168,7 +168,7 @@ class Dispatch:
     def withdrawn(self, request: Request, asked: Subject) -> Message:
         """Return why a question is void: it is not about what was `asked` any more. Empty while it is."""
         change = what_changed(self._store.state, request, asked)
-        return Message("not sent: {change}", change=sanitize(change)) if change else EMPTY
+        return Message("not sent: {problem}", problem=sanitize(change)) if change else EMPTY
 
     def _send_after_all(
         self, request: Request, asked: Subject, sent: Callable[[], None], prepare: Prepare | None
@@ -267,7 +267,10 @@ class StartupRequests:
                 continue
             if now > one.until + LATEST and not one.pauses:
                 self._refuse(
-                    Message("not sent: no link for {now} s, repeat the command", now=f"{now - one.since:.1f}")
+                    Message(
+                        "not sent: no link for {seconds} s, repeat the command",
+                        seconds=f"{now - one.since:.1f}",
+                    )
                 )
             else:
                 self._give(ready)

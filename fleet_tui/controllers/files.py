@@ -19,7 +19,7 @@ Pack = Callable[[str, Callable[[], bool]], Path]
 
 
 READ_ONLY = Message("not here: this console is read-only")
-IN_A_TAB = Message("not in a browser: whoever opens the page could name any file of this machine")
+IN_A_TAB = Message("not in a browser: any visitor of the page could name any file on this machine")
 
 
 class ConsoleFiles:

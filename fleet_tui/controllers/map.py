@@ -151,7 +151,7 @@ class MapControls:
         options, styles = self._picture.options, list(Drawing)
         following = styles[(styles.index(options.drawing) + 1) % len(styles)]
         self._picture.options = replace(options, drawing=following)
-        self._say(Message("drawing: {value}", value=Message(following.value)))
+        self._say(Message("drawing: {drawing}", drawing=Message(following.value)))
         self._view.draw()
 
     def enter(self, mode: MapMode) -> None:

@@ -72,7 +72,7 @@ class Replay:
         if not text:
             from fleet_tui.recording.play.times import FORMS  # imports numpy
 
-            return Typed(problem=Message("enter a time: {FORMS}", FORMS=FORMS))
+            return Typed(problem=Message("enter a time: {forms}", forms=FORMS))
         try:
             at = self._player.time_of(text)
         except FleetError as problem:

@@ -81,7 +81,7 @@ class RobotRequests:
         explain = next(place for place, (text, _) in enumerate(entries) if text == self._explain)
         marked = explain if needs_a_look(state, robot) else 0
         self._open_menu(
-            Message("{robot}: {fault}", robot=robot, fault=sanitize(fault)) if fault else verbatim(robot),
+            Message("{robot}: {text}", robot=robot, text=sanitize(fault)) if fault else verbatim(robot),
             entries,
             marked,
         )

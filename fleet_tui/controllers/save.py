@@ -60,7 +60,7 @@ class SaveCommand:
         path = self._files.saving.path
         if path and (not name or expanded(name).resolve() == Path(path).resolve()):
             return Message(
-                "already saved in {path}: {WORD} FILE writes a copy", path=sanitize(path), WORD=WORD
+                "already saved in {path}: {command} FILE writes a copy", path=sanitize(path), command=WORD
             )
         return EMPTY
 

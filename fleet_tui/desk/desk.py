@@ -108,10 +108,12 @@ class SharedDesk:
         lost = [Message("desk: {lost} facts not shared", lost=self._outbox.lost)] if self._outbox.lost else []
         grows = self._facts.grows
         large = (
-            [Message("desk: facts.jsonl grows, it can't be shortened: {grows}", grows=grows)] if grows else []
+            [Message("desk: facts.jsonl grows, it can't be shortened: {problem}", problem=grows)]
+            if grows
+            else []
         )
         return [
-            *(Message("desk: not shared: {one}", one=one) for one in self._problems),
+            *(Message("desk: not shared: {problem}", problem=one) for one in self._problems),
             *lost,
             *large,
             *told,

@@ -20,7 +20,7 @@ def parse_json(text: str) -> Any:
     except RecursionError:
         raise GraphError(Message("nested too deep")) from None
     except (msgspec.DecodeError, ValueError) as problem:
-        raise GraphError(Message("not JSON: {in_line}", in_line=in_line(str(problem), text))) from None
+        raise GraphError(Message("not JSON: {problem}", problem=in_line(str(problem), text))) from None
 
 
 def in_line(problem: str, text: str) -> str:

@@ -86,7 +86,7 @@ class HistoryWriter:
             if self.note
             else []
         )
-        return [Message("history: {one}", one=one) for one in told]
+        return [Message("history: {problem}", problem=one) for one in told]
 
     def start(self) -> None:
         """Begin to observe."""

@@ -64,7 +64,7 @@ EDIT: tuple[Key[Actions], ...] = (
         "select",
         ("enter",),
         lambda do: do.select(),
-        Message("Select; again: menu. Puts down what moves"),
+        Message("Select; again: menu. Puts down a moved vertex"),
         Message("select"),
     ),
     _edit("name", ("n",), lambda do: do.name(), Message("Label of the selected vertex"), Message("name")),

@@ -8,9 +8,9 @@ from fleet_tui.text.language import N_, Message
 
 HISTORY_PAGES = {
     N_("Events"): Message("orders, alarms, commands, links, notes"),
-    N_("Robots"): Message("what each did, as a picture"),
-    N_("Batteries"): Message("their curves and forecasts"),
-    N_("Alarms"): Message("when each held"),
+    N_("Robots"): Message("activity of each robot over time"),
+    N_("Batteries"): Message("curves and forecasts"),
+    N_("Alarms"): Message("when each was active"),
     N_("Places"): Message("where robots were blocked, on the map"),
 }
 """The pages of the history with their contents."""
@@ -39,18 +39,18 @@ HISTORY: tuple[Key[HistoryActions], ...] = (
         lambda do: do.filter(),
         Message("Filter: words, !word; a robot, a place, an outcome"),
     ),
-    _key("earlier", (",",), lambda do: do.shift(-1), Message("Earlier, by half of the time shown")),
-    _key("later", (".",), lambda do: do.shift(1), Message("Later; at last up to now")),
+    _key("earlier", (",",), lambda do: do.shift(-1), Message("Earlier, by half the span")),
+    _key("later", (".",), lambda do: do.shift(1), Message("Later, up to now")),
     _key(
-        "longer", ("-",), lambda do: do.stretch(1), Message("Longer time: 15 min, 1 h, 8 h, 24 h, 7 d, 30 d")
+        "longer", ("-",), lambda do: do.stretch(1), Message("Longer span: 15 min, 1 h, 8 h, 24 h, 7 d, 30 d")
     ),
-    _key("shorter", ("+",), lambda do: do.stretch(-1), Message("Shorter time")),
+    _key("shorter", ("+",), lambda do: do.stretch(-1), Message("Shorter span")),
     _key("floor", ("f",), lambda do: do.next_floor(), Message("Next floor, on the page of places")),
     _key(
         "replay",
         ("o",),
         lambda do: do.replay(),
-        Message("Open the recording of the marked row's time, else of the end of the time shown"),
+        Message("Open the recording at the marked row, else at the end of the span"),
     ),
     _key("leave", ("escape", "q"), lambda do: do.leave(), Message("Go back")),
 )

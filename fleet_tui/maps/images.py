@@ -117,7 +117,7 @@ def _table(path: Path) -> dict[str, Any]:
     except RecursionError:
         raise MapError(Message("unreadable: nested too deep")) from None
     except (ValueError, LookupError, AttributeError, ArithmeticError) as problem:
-        raise MapError(Message("unreadable: {split}", split=" ".join(str(problem).split()))) from None
+        raise MapError(Message("unreadable: {problem}", problem=" ".join(str(problem).split()))) from None
     if not isinstance(table, dict) or not isinstance(table.get("image"), str):
         raise MapError(Message("not a map_server file: no image"))
     return table

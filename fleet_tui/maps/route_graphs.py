@@ -119,7 +119,7 @@ def _features(text: str) -> list[msgspec.Raw] | None:
     except msgspec.ValidationError:
         return None
     except (msgspec.DecodeError, ValueError) as problem:
-        raise GraphError(Message("not JSON: {in_line}", in_line=in_line(str(problem), text))) from None
+        raise GraphError(Message("not JSON: {problem}", problem=in_line(str(problem), text))) from None
     except RecursionError:
         raise GraphError(Message("nested too deep")) from None
     return found.features if found.type == "FeatureCollection" else None
@@ -193,13 +193,13 @@ def _graph(vertices: Mapping[str, Vertex], lines: Iterable[_Feature], faults: li
             faults.append(Message("edge {id} has no startid or no endid: left out", id=id_))
         elif unknown := [end for end in way if end not in vertices]:
             faults.append(
-                Message("edge {id} names unknown vertex {unknown}: left out", id=id_, unknown=unknown[0])
+                Message("edge {id} names unknown vertex {vertex}: left out", id=id_, vertex=unknown[0])
             )
         else:
             if way in ways:
                 faults.append(
                     Message(
-                        "duplicate edge from {way} to {way2}: the last one is used", way=way[0], way2=way[1]
+                        "duplicate edge from {start} to {end}: the last one is used", start=way[0], end=way[1]
                     )
                 )
             ways[way] = Edge(id_, *way)
@@ -248,7 +248,7 @@ def _usable(floor: DocumentFloor) -> tuple[DocumentFloor, list[str]]:
     """Return the floor without vertices at no place and edges without both ends, and the faults."""
     vertices = {id_: v for id_, v in floor.vertices.items() if abs(v.x) <= FARTHEST and abs(v.y) <= FARTHEST}
     faults: list[str] = [
-        Message("vertex {id} is at no place: left out", id=id_)
+        Message("vertex {id} has no position: left out", id=id_)
         for id_ in floor.vertices
         if id_ not in vertices
     ]
@@ -256,7 +256,9 @@ def _usable(floor: DocumentFloor) -> tuple[DocumentFloor, list[str]]:
     for id_, edge in floor.edges.items():
         lost = [end for end in (edge.start, edge.end) if end not in vertices]
         if lost:
-            faults.append(Message("edge {id} names unknown vertex {lost}: left out", id=id_, lost=lost[0]))
+            faults.append(
+                Message("edge {id} names unknown vertex {vertex}: left out", id=id_, vertex=lost[0])
+            )
         else:
             edges[id_] = edge
     return replace(floor, vertices=vertices, edges=edges), faults

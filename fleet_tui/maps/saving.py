@@ -41,14 +41,14 @@ def yaml_of(grid: OccupancyGrid, image: str) -> str:
     """Return the YAML of a map, at full precision. Raises MapError for a frame that it can't describe."""
     frame = grid.frame
     if frame.added:
-        raise MapError(Message('the map lies as origin = "added" says: map_server has no word for that'))
+        raise MapError(Message('the map is placed by origin = "added", which map_server can\'t express'))
     if not _PLAIN.fullmatch(image):
         raise MapError(
             Message("{image}: use letters, digits, _, - and . in the name of a map", image=f"{image!r}")
         )
     numbers = frame.resolution, frame.origin.x, frame.origin.y, frame.origin.yaw
     if not all(map(math.isfinite, numbers)):
-        raise MapError(Message("the place of the map is not finite"))
+        raise MapError(Message("the position of the map is not finite"))
     # Without an exponent, which YAML reads as a text; the shortest digits that read back the same.
     resolution, x, y, yaw = (np.format_float_positional(number, trim="0") for number in numbers)
     head = f"image: {image}\nmode: trinary\nresolution: {resolution}\norigin: [{x}, {y}, {yaw}]\n"

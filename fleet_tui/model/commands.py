@@ -143,12 +143,12 @@ ORDER_ENDS: Mapping[Stage, OrderEnd] = {
     Stage.CANCELLED_ELSEWHERE: OrderEnd(
         Tally.CANCELLED,
         N_("was cancelled elsewhere"),
-        Message("Ask who cancelled it, before anything else is ordered"),
+        Message("Ask who cancelled it before you order anything else"),
     ),
     Stage.LEFT: OrderEnd(
         Tally.LEFT,
         N_("left the queue"),
-        Message("Ask who removed it, and look where the robot and its load are"),
+        Message("Ask who removed it, and check where the robot and its load are"),
         True,
     ),
     Stage.LOST: OrderEnd(Tally.LOST, N_("was lost"), CHECK_DELIVERY, True),
@@ -156,7 +156,7 @@ ORDER_ENDS: Mapping[Stage, OrderEnd] = {
     Stage.REPLACED: OrderEnd(
         Tally.CANCELLED,
         N_("was replaced"),
-        Message("Ask who gave the newer order, before anything else is ordered"),
+        Message("Ask who gave the newer order before you order anything else"),
     ),
 }
 """Ends of an order that was in the queue: alarm, `w`, row, history, report and metrics read them here."""

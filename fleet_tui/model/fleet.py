@@ -186,9 +186,9 @@ def missing_text(state: FleetState, robot: Robot, value: str) -> Message:
     if not robot.kind.expects(value):
         return Message("-")
     return (
-        Message("{value} missing", value=Message(value))
+        Message("{report} missing", report=Message(value))
         if is_missing(state, robot, value)
-        else Message("no {value} yet", value=Message(value))
+        else Message("no {report} yet", report=Message(value))
     )
 
 

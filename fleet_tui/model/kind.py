@@ -113,12 +113,12 @@ class Kind(Struct, frozen=True):
         """Return the text for a request that it does not accept."""
         if asked in self.withheld:
             return Message(
-                "{withheld}: no {value}",
-                withheld=self.withheld[asked],
-                value=Message("orders") if asked in (ORDER, ORDER_TO) else noun_of(asked),
+                "{reason}: no {noun}",
+                reason=self.withheld[asked],
+                noun=Message("orders") if asked in (ORDER, ORDER_TO) else noun_of(asked),
             )
         if asked in self.unset:
-            return Message("{unset} is empty: no {noun_of}", unset=self.unset[asked], noun_of=noun_of(asked))
+            return Message("{key} is empty: no {noun}", key=self.unset[asked], noun=noun_of(asked))
         noun = noun_of(asked)
         if asked in (ORDER, ORDER_TO) and not self.can(ORDER):
             noun = Message("orders")

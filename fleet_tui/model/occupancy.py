@@ -55,11 +55,11 @@ def grid_from_ros(frame: MapFrame, data: bytes) -> OccupancyGrid:
     if len(data) != frame.width * frame.height:
         raise MapError(
             Message(
-                "map of {width} x {height} px has {data} cells instead of {width2}",
+                "map of {width} x {height} px has {cells} cells instead of {expected}",
                 width=frame.width,
                 height=frame.height,
-                data=f"{len(data):,}",
-                width2=f"{frame.width * frame.height:,}",
+                cells=f"{len(data):,}",
+                expected=f"{frame.width * frame.height:,}",
             )
         )
     cells = np.frombuffer(data, dtype=np.uint8).reshape(frame.height, frame.width)

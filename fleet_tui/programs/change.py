@@ -47,7 +47,7 @@ async def change(program: ProgramEntry, verb: str, folder: Path, within: float =
     for one in verbs:
         before = await look(program, folder)
         if _is_so(one, before):
-            outcome = ChangeOutcome(CONFIRMED, Message("already {value}", value=Message(before.state.value)))
+            outcome = ChangeOutcome(CONFIRMED, Message("already {state}", state=Message(before.state.value)))
             continue
         outcome = await _change(program, one, folder, before, until)
         if not outcome.is_confirmed:
@@ -115,6 +115,6 @@ async def _outcome(
         if time.monotonic() >= until:
             return ChangeOutcome(
                 NOT_CONFIRMED,
-                " ".join((Message("is {value}", value=Message(now.state.value)), now.detail)).strip(),
+                " ".join((Message("is {state}", state=Message(now.state.value)), now.detail)).strip(),
             )
         await asyncio.sleep(LOOK_EVERY)

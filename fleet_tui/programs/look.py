@@ -113,7 +113,7 @@ def _detail(state: ProgramState, found: Mapping[str, str]) -> Message:
             truncate(_RESULTS.get(result, result).replace("{status}", found.get("ExecMainStatus", "?")))
         )
     if found.get("LoadState") in ("masked", "bad-setting", "error"):
-        return Message("its unit file is {found}", found=found["LoadState"])
+        return Message("its unit file is {state}", state=found["LoadState"])
     sub = found.get("SubState", "")
     return (
         verbatim(truncate(sub)) if sub in ("auto-restart", "exited", "start-pre", "stop-sigterm") else EMPTY

@@ -94,9 +94,9 @@ async def run(
             None,
             "",
             Message(
-                "{arguments}: stopped after {LARGEST} kB of output",
+                "{arguments}: stopped after {limit} kB of output",
                 arguments=arguments[0],
-                LARGEST=LARGEST // 1024,
+                limit=LARGEST // 1024,
             ),
         )
     return EndedProcess(code, _text(output))
@@ -122,7 +122,7 @@ def not_started(program: str, problem: Exception) -> Message:
     if isinstance(problem, PermissionError):
         return Message("{program}: not executable by this user: check its mode and owner", program=program)
     return Message(
-        "{program}: {getattr}", program=program, getattr=getattr(problem, "strerror", None) or problem
+        "{program}: {problem}", program=program, problem=getattr(problem, "strerror", None) or problem
     )
 
 

@@ -26,8 +26,8 @@ _OF_SYSTEMD = {
         "not allowed for this user: add a polkit rule, or use a unit with user = true"
     ),
     "Access denied": N_("not allowed for this user: add a polkit rule, or use a unit with user = true"),
-    "not been booted with systemd": N_("no systemd to ask: use start, stop and status instead of unit"),
-    "Failed to connect to": N_("no systemd of this user to ask: log in first, or use start, stop and status"),
+    "not been booted with systemd": N_("no systemd here: use start, stop and status instead of unit"),
+    "Failed to connect to": N_("no systemd for this user: log in first, or use start, stop and status"),
 }
 _OF_SHELL = {"not found": N_("{last}: install it there, or write its full path in the configuration")}
 

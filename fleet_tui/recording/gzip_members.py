@@ -27,7 +27,7 @@ def open_plain(path: Path) -> BinaryIO:
         raise RecordingError(Message("{path}: no such file: {made}", path=path, made=made)) from None
     except (OSError, ValueError) as problem:
         raise RecordingError(
-            Message("{path}: unreadable: {getattr}", path=path, getattr=getattr(problem, "strerror", problem))
+            Message("{path}: unreadable: {problem}", path=path, problem=getattr(problem, "strerror", problem))
         ) from None
     if not stat.S_ISREG(os.fstat(fd).st_mode):
         os.close(fd)

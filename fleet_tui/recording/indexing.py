@@ -92,10 +92,10 @@ def _header(path: Path) -> tuple[RecordingHeader, int]:
             if stamp.version > VERSION:
                 raise RecordingError(
                     Message(
-                        "was written by a newer fleet-tui (format {version}, this one reads {version2}):"
+                        "was written by a newer fleet-tui (format {version}, this one reads {own_version}):"
                         " update fleet-tui",
                         version=stamp.version,
-                        version2=VERSION,
+                        own_version=VERSION,
                     )
                 )
             header = decode(line, stamp.version)

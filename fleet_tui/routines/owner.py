@@ -36,7 +36,7 @@ class RobotLocks:
                 owner = owner_of(self._folder, robot, url) or Message("another process")
                 raise RoutineError(
                     Message(
-                        "{robot} is led by {owner}: stop that first, or wait for its end",
+                        "{robot} is run by {owner}: stop that first, or wait until it ends",
                         robot=robot,
                         owner=owner,
                     )

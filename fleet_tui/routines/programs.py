@@ -46,8 +46,8 @@ def program_problem(folder: Path, arguments: Sequence[str]) -> str:
             "{word}: not executable by this user: run chmod +x {folder}", word=word, folder=folder / word
         )
     return Message(
-        "{truncate}: not found in {folder}, nor on PATH: correct the name",
-        truncate=truncate(word, 80),
+        "{program}: not found in {folder}, nor on PATH: correct the name",
+        program=truncate(word, 80),
         folder=folder,
     )
 

@@ -69,7 +69,7 @@ def resumed(lane: Lane) -> Lane:
     detail = (
         lane.detail
         if lane.gate is Gate.HELD and lane.detail
-        else Message("the process that led it has ended")
+        else Message("the process that ran it has ended")
     )
     phase = LanePhase.READY
     if lane.phase is LanePhase.ORDERED and lane.order_id:

@@ -73,7 +73,7 @@ class RoutineRun:
         known = {lane.robot: resumed(lane) for lane in before.lanes} if before else {}
         if not all(fits(plan, known[name]) for name, plan in lanes.items() if name in known):
             raise RoutineError(
-                Message("{name}: its progress does not fit the file: start it again", name=file.name)
+                Message("{name}: its progress does not match the file: start it again", name=file.name)
             )
         now = time.time()
         self.lanes = {name: known.get(name, Lane(name, since=now)) for name in lanes}

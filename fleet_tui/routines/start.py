@@ -43,7 +43,7 @@ class Examined(Struct, frozen=True):
                 robots=robots,
             )
         more = (
-            [Message("and {totals} more robots", totals=len(self.totals) - SHOWN)]
+            [Message("and {count} more robots", count=len(self.totals) - SHOWN)]
             if len(self.totals) > SHOWN
             else []
         )

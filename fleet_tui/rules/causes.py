@@ -47,9 +47,9 @@ def _told(robot: Robot, since: float, until: float, at: float) -> Message:
     return max(lines, key=lambda one: (one.at >= at - BESIDE_END, not one.is_warning, one.at)).text
 
 
-HELD_FAST = Message("Look at the robot: its wheels or its way may be blocked")
+HELD_FAST = Message("Check the robot: its wheels or its path may be blocked")
 """The remedy for a drive without progress."""
-NO_WAY = Message("Check the goal, the map and the costmap: the robot finds no way to it")
+NO_WAY = Message("Check the goal, the map and the costmap: the robot finds no path")
 """The remedy for a goal without a plan."""
 
 

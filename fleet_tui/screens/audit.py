@@ -108,7 +108,7 @@ class AuditLog(Overlay):
                         break
         except OSError as failed:
             problem = tr("log not readable: {strerror}", strerror=failed.strerror)
-        note = tr("newest {SHOWN}", SHOWN=SHOWN) if len(found) > SHOWN else str(len(found))
+        note = tr("newest {count}", count=SHOWN) if len(found) > SHOWN else str(len(found))
         if reading.note:
             note += f", {reading.note}"
 

@@ -143,5 +143,5 @@ def _found(site: DiscoveredSite) -> Asked:
 
 
 def _listed(names: Sequence[str], most: int = 6) -> str:
-    more = tr(" and {names} more", names=len(names) - most) if len(names) > most else ""
+    more = tr(" and {count} more", count=len(names) - most) if len(names) > most else ""
     return ", ".join(names[:most]) + more

@@ -115,9 +115,7 @@ class Help(Overlay):
             sections = search([*every.values(), _documentation()], wanted)
         if not sections:
             sections = [
-                HelpSection(
-                    Message("nothing matches {wanted}", wanted=f"{wanted!r}"), (HelpRow((), ELSEWHERE),)
-                )
+                HelpSection(Message("nothing matches {text}", text=f"{wanted!r}"), (HelpRow((), ELSEWHERE),))
             ]
         runs, buttons = tabs(self._pages, "" if wanted else self._page)
         self._tabs.show(runs, buttons=buttons)

@@ -81,7 +81,7 @@ def _say_quit(screen: "MainScreen") -> None:
     """Name the key that quits: Ctrl-C and Ctrl-Q are pressed by those who look for it."""
     quit_key = "".join(key_name(key) for key in screen.settings.keys["quit"][:1])
     screen.notices.say(
-        Message("{quit_key} quits; Esc first where something is open", quit_key=quit_key)
+        Message("{quit_key} quits; press Esc first to close what is open", quit_key=quit_key)
         if quit_key
         else Message("no key quits: type quit after :")
     )
@@ -208,7 +208,7 @@ def _mark_alarm(screen: "MainScreen", keys: Sequence[Key]) -> None:
                 sanitize(Message("{source} {text}", source=one.condition.source, text=one.text))
             )
     if not keys:
-        screen.notices.hint(Message("no robot has an alarm or may need a person"))
+        screen.notices.hint(Message("no robot has an alarm or needs attention"))
 
 
 def _place_actions(rest: "Rest") -> PlaceActions:

@@ -132,7 +132,7 @@ class Simple(Vertical):
         names_of = {field: sanitize(place.name) for field, place in self._chosen.items()}
         # As Content: a label from the wire is text, whatever markup it looks like.
         self._button("robot").label = Content(tr("Robot: {name}", name=sanitize(robot.name)) + f", {does}")
-        self._button("from").label = Content(tr("From: {get}", get=names_of.get("from", start)))
+        self._button("from").label = Content(tr("From: {place}", place=names_of.get("from", start)))
         self._button("to").label = Content(to + names_of.get("to", tr("choose ...")))
         self._button("send").variant = "default" if self._missing() else "primary"
         for field in FIELDS:
@@ -269,9 +269,9 @@ class Simple(Vertical):
         if missing:
             self._say(
                 Message(
-                    "{field} is missing: choose where {PURPOSE}",
+                    "{field} is missing: choose where {purpose}",
                     field=tr(missing.capitalize()),
-                    PURPOSE=translate(_PURPOSE[missing]),
+                    purpose=translate(_PURPOSE[missing]),
                 )
             )
             self.screen.set_focus(self._button(missing))

@@ -128,7 +128,9 @@ class Why(RobotOverlay):
         last = min(lines, top + height)
         is_whole = not height or lines <= height
         position = (
-            "" if is_whole else tr("{top}-{last} of {lines}, PgUp PgDn", top=top + 1, last=last, lines=lines)
+            ""
+            if is_whole
+            else tr("{first}-{last} of {lines}, PgUp PgDn", first=top + 1, last=last, lines=lines)
         )
         if position != self.border_subtitle:
             self.border_subtitle = position

@@ -82,7 +82,7 @@ LOST_SUBSCRIPTIONS = FactKind(
         "rosbridge runs without the robots' message package, or lost its own subscriptions, as by a restart"
         " of the ROS master",
         "these robots' messages cannot be read, or do not arrive",
-        Message("Restart rosbridge; of a lacking package source the robots' workspace before"),
+        Message("Restart rosbridge; if a package is missing, source the robots' workspace first"),
         10,
     ),
     remedy=Message("Restart rosbridge: its ROS master was restarted, and its robots may be well"),
@@ -232,7 +232,7 @@ DRIVES_ON = FactKind(
     "order",
     Message("order failed, still driving"),
     Message("order failed"),
-    remedy=Message("Pause it: that ends what still drives it"),
+    remedy=Message("Pause it: that stops whatever still drives it"),
     keys=("pause", "centre"),
 )
 INACTIVE = FactKind(
@@ -282,10 +282,10 @@ BY_HAND = FactKind("mode", Message("mode"), remedy=Message("Switch it to automat
 CLEARANCE = FactKind(
     "clearance",
     Message("waits for clearance"),
-    remedy=Message("Look at the master control: it releases the next nodes"),
+    remedy=Message("Check the master control: it has to release the next nodes"),
 )
 MAP_DISABLED = FactKind(
-    "map", Message("map is not enabled"), remedy=Message("Let the master control enable the map (enableMap)")
+    "map", Message("map is not enabled"), remedy=Message("Enable the map from the master control (enableMap)")
 )
 
 FACTS = (

@@ -68,7 +68,7 @@ def dead_commands(link: LinkState) -> Fact | None:
         text = Message(
             "{word}: {command_reason}", word=COMMANDS_DEAD.word, command_reason=link.command_reason
         )
-    evidence = Message("no order and no pause gets through")
+    evidence = Message("no orders or pauses get through")
     fact = Fact(kind, link.name, text, Priority.HIGH, link.since, evidence=evidence)
     if kind is HALF_DEAD:
         evidence = Message("no topic and no node: only the bridge itself answers")

@@ -120,13 +120,13 @@ def moves_despite_pause(state: FleetState, robot: Robot) -> Fact | None:
         return None
     since = state.began.get((robot.name, STOPPING.name), state.now)
     kind, text, priority = STOPPING, STOPPING.word, Priority.LOW
-    evidence = Message("the robot does not report yet that it stands")
+    evidence = Message("the robot has not reported a stop yet")
     if not state.is_online(robot) or state.now - at > state.patience(robot):
         text = Message("not seen to stop")
         evidence = Message("last speed reported {age} ago", age=age(state.now - at))
     elif motion.is_moving and motion.stood and motion.stood > since and at - since > STOPS_WITHIN:
         kind, text, priority, since = DESPITE_PAUSE, DESPITE_PAUSE.word, Priority.MEDIUM, motion.stood
-        evidence = Message("it stood, and reports movement for {age}", age=age(at - motion.stood))
+        evidence = Message("it had stopped, and has reported movement for {age}", age=age(at - motion.stood))
     elif motion.is_moving and at - since > STOPS_WITHIN:
         kind, text, priority = STILL_MOVING, STILL_MOVING.word, Priority.HIGH
         evidence = Message("the robot reports movement {age} after the pause", age=age(at - since))

@@ -100,7 +100,7 @@ def silent_navigation(state: FleetState, robot: Robot) -> Fact | None:
         )
     elif _is_unsteady(state, robot) and robot.place is not None:
         since = robot.place.at
-        text = Message("navigation silent again and again, no movement for {age}", age=age(state.now - since))
+        text = Message("navigation repeatedly silent, no movement for {age}", age=age(state.now - since))
         evidence = Message(
             "it answers each order for a moment, and the robot does not move:"
             " its navigation server has probably crashed each time"

@@ -27,7 +27,7 @@ from fleet_tui.situation.motion import SELDOM
 from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.text.units import age
 
-WAKE = Message("Wake it by its master control (stopHibernation)")
+WAKE = Message("Wake it through its master control (stopHibernation)")
 """The action at a vehicle that said that it sleeps."""
 NO_STATES = Message("Check its software, and the right of this user to read its states at the broker")
 """The action at a vehicle that is connected, and of which no state arrives: mosquitto grants a subscription
@@ -166,7 +166,7 @@ def _unreadable(state: FleetState, robot: Robot) -> Fact | None:
         short=bad_text(robot),
         evidence=Message("link up, messages arrive: {last_fault}", last_fault=robot.last_fault),
         question=Message(
-            "nothing that {name} sends can be read: {last_fault}",
+            "no message of {name} is readable: {last_fault}",
             name=robot.name,
             last_fault=robot.last_fault,
         ),

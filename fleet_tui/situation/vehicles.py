@@ -63,15 +63,15 @@ def clearance(robot: Robot) -> Fact | None:
     asked = joined(", ", robot.vehicle.value.asks)
     fact = _reported(robot, CLEARANCE, CLEARANCE.word, Priority.LOW)
     if asked:
-        remedy = Message("Look at the master control: it grants what the vehicle asks for")
+        remedy = Message("Check the master control: it has to grant the vehicle's request")
         return fact._replace(
             evidence=Message("it asks its master control for {asked}", asked=asked), remedy=remedy
         )
     if not left:
         return fact._replace(evidence=Message("it asks its master control for more of its route"))
     evidence = counted(
-        "at the end of what is released, {count} node of its order not released",
-        "at the end of what is released, {count} nodes of its order not released",
+        "at the end of the released route, {count} node of its order not released",
+        "at the end of the released route, {count} nodes of its order not released",
         left,
     )
     return fact._replace(evidence=evidence)

@@ -57,7 +57,7 @@ class Annunciator:
         notified = [alarm for alarm in alarms if _priority(alarm) in self._notify]
         sequence = "\x07" if rings else ""
         if notified:
-            more = Message(" and {notified} more", notified=len(notified) - 1) if notified[1:] else ""
+            more = Message(" and {count} more", count=len(notified) - 1) if notified[1:] else ""
             sequence += notification(
                 f"{notified[0].condition.source} {notified[0].text}{more}", self._inside_tmux
             )

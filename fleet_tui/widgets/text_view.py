@@ -48,7 +48,7 @@ class TextView(RunsView):
         self._moved(
             ""
             if is_whole
-            else tr("{top}-{last} of {lines}, PgUp PgDn", top=self._top + 1, last=last, lines=len(lines))
+            else tr("{first}-{last} of {lines}, PgUp PgDn", first=self._top + 1, last=last, lines=len(lines))
         )
 
     @on(events.MouseScrollUp)

@@ -118,7 +118,7 @@ async def test_only_so_many_orders_wait_for_a_robot(site: Site, monkeypatch: pyt
         surplus = await finished(link, store, site.to("Base"))
         assert (surplus.stage, surplus.detail) == (
             Stage.NOT_SENT,
-            "robot_0 has 1 orders waiting here, the maximum",
+            "robot_0 already has 1 orders waiting here, the maximum",
         )
 
 

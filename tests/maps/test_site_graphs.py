@@ -21,7 +21,7 @@ def test_the_floor_of_that_name_and_what_is_left_out() -> None:
     graph, labels, faults = read_site_graph("L1", RMF)
     assert labels == {"0": "Base", "1": "yes"}
     assert graph.vertices["0"].role is Role.DOCKING and not graph.directed
-    assert faults == ["vertex 2 is at no place: left out", "edge 2 names unknown vertex 2: left out"]
+    assert faults == ["vertex 2 has no position: left out", "edge 2 names unknown vertex 2: left out"]
 
 
 def test_the_only_floor_whatever_it_is_called() -> None:

@@ -25,7 +25,7 @@ def test_another_process_is_named(tmp_path: Path) -> None:
         [sys.executable, "-c", HOLDER, str(tmp_path)], stdin=subprocess.PIPE, stdout=subprocess.PIPE
     )
     assert holder.stdout is not None and holder.stdout.readline() == b"claimed\n"
-    with pytest.raises(RoutineError, match="robot_1 is led by ana") as refused:
+    with pytest.raises(RoutineError, match="robot_1 is run by ana") as refused:
         RobotLocks(tmp_path, ROBOTS, "eva").claim()
     assert "\x1b" not in str(refused.value)
     assert owner_of(tmp_path, "robot_1", "ws://a").endswith("(process 7)")

@@ -64,7 +64,7 @@ def test_a_clock_that_stands_still_is_the_fault_of_its_vehicle_and_ages_nothing(
     for number in range(60):
         site.read("state", state(headerId=number))
         site.wait(1)
-    assert site.agv.last_fault.startswith("state: clock stands still: 2026-01-02T03:04:05.678Z")
+    assert site.agv.last_fault.startswith("state: clock stopped: 2026-01-02T03:04:05.678Z")
     assert not site.state.is_old(site.agv, "pose") and site.state.is_online(site.agv)
     assert list(site.alarms) == ["data"]
     moving = VehicleSite()
@@ -125,7 +125,7 @@ def test_a_visualization_that_contradicts_the_states_is_not_believed_until_it_ag
         return site.agv.pose.value.x
 
     assert [second(number, 4.0, 2.0) for number in range(6)] == [2.0, 2.0, 4.0, 4.0, 4.0, 4.0]
-    fault = "visualization: position is 2.0 m from that of the state before: not used"
+    fault = "visualization: position 2.0 m from that of the previous state: ignored"
     assert site.agv.last_fault == fault
     assert [second(number, 4.0, 4.2) for number in range(6, 8)] == [4.2, 4.2]
 

@@ -170,7 +170,7 @@ def test_a_place_that_an_order_cannot_name_is_refused_before_it_is_sent(desk: De
         desk.type("oBase\rPacking")
         desk.shows("floor_1")
         desk.terminal.press(DOWN)
-        desk.shows("can't be named: robot_0 takes its id")
+        desk.shows("can't be ordered: where robot_0 is, the id")
         desk.type("\r")
         desk.is_idle()
         assert desk.bridge.calls() == []
@@ -230,7 +230,7 @@ def test_a_question_is_about_the_order_that_was_asked_about(desk: Desk) -> None:
     desk.type("x")
     desk.shows("Cancel order 1 of robot_0?")
     desk.bridge.do(restarted)
-    desk.shows("not sent: order 1 of robot_0 is another one now")
+    desk.shows("not sent: order 1 of robot_0 is a different one now")
     desk.type("y")
     desk.is_idle()
     assert desk.bridge.calls() == []

@@ -81,7 +81,7 @@ async def test_it_is_started_after_a_check_and_a_question_and_led_to_its_end(
             await it.shows("Start day with robot_0?")
             await it.press("y")
             await it.shows("line 3: run ./gate", PANE)
-            await it.shows("led by this console", PANE)
+            await it.shows("run by this console", PANE)
             await asyncio.to_thread(gate.write_text, "open\n")
             await it.shows("○ done", PANE)
         assert calls(server) == ["Execute_order"]
@@ -156,6 +156,6 @@ async def test_leaving_is_asked_and_the_next_console_takes_it_up(
         await it.press("enter", "1")
         await it.shows("Continue day with robot_0?")
         await it.press("y")
-        await it.shows("the process that led it has ended", PANE)
-        await it.shows("led by this console", PANE)
+        await it.shows("the process that ran it has ended", PANE)
+        await it.shows("run by this console", PANE)
     assert calls(server) == ["Execute_order"]

@@ -81,7 +81,7 @@ STATES = {
     SILENT: (silent_robot(), "offline 20 s", "robot_0 is offline 20 s"),
     NEVER_SEEN: (never_seen(), "never seen", "robot_0 was never seen"),
     AGE_UNKNOWN: (undated(), "age unknown", "the one message of robot_0 is of unknown age"),
-    BAD_DATA: (unreadable(), "bad data x5", f"nothing that robot_0 sends can be read: {BAD}"),
+    BAD_DATA: (unreadable(), "bad data x5", f"no message of robot_0 is readable: {BAD}"),
 }
 
 

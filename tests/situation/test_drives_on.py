@@ -34,7 +34,7 @@ def test_it_is_told_in_row_alarm_and_reason_with_the_pause_that_ends_it() -> Non
     assert fact is not None and fact.kind is DRIVES_ON
     assert [text for text, _ in failed_command(state, robot, short=True)] == [fact.text]
     (alarm,) = [one for one in state.alarms if one.holds]
-    assert alarm.condition.remedy == fact.action == "Pause it: that ends what still drives it"
+    assert alarm.condition.remedy == fact.action == "Pause it: that stops whatever still drives it"
     (why,) = [one for one in reasons(state, robot) if one.name == fact.text]
     assert (why.remedy, why.keys[0]) == (fact.action, "pause")
     assert any("failed" in line for line in attention(state))

@@ -62,7 +62,7 @@ def test_a_robot_whose_messages_all_are_bad_reads_so() -> None:
     assert [line for line in attention(state) if "bad" in line] == [f"robot_0: {alarm.text}"]
     asked = problems(state, Request((place_order(R0, 1, 2),)), Permissions())
     assert [one.text for one in asked if one.check == "bad data"] == [
-        f"nothing that robot_0 sends can be read: {BAD}"
+        f"no message of robot_0 is readable: {BAD}"
     ]
 
 

@@ -59,7 +59,7 @@ def test_a_server_that_crashes_with_each_order_is_one_alarm_until_the_robot_move
     )
     (alarm,) = again.alarms
     assert alarm.holds and alarm.count == 1
-    assert alarm.text.startswith("navigation silent again and again, no movement for ")
+    assert alarm.text.startswith("navigation repeatedly silent, no movement for ")
     assert "answers each order for a moment" in reasons(again, again.robots[R0])[0].evidence
     drives = reduced(again, pose(LATER + 7, x=3.0), tick(LATER + 7), pose(LATER + 8, x=6.0), tick(LATER + 8))
     assert (found_in(drives) is None and not drives.alarms[0].holds) or not drives.alarms

@@ -44,11 +44,11 @@ def cancel(names: Names, robot: Robot, order_id: str) -> list[Publication]:
     found = [goal.uuid for listed in robot.goals.values() for goal in listed if goal.id == order_id]
     if len(found) != 1:
         known = (
-            Message("{found} goals match {order_id}", found=len(found), order_id=order_id)
+            Message("{count} goals match {order_id}", count=len(found), order_id=order_id)
             if found
             else Message("unknown goal {order_id}", order_id=order_id)
         )
-        raise CommandError(Message("{known}: see the queue of {name}", known=known, name=robot.name))
+        raise CommandError(Message("{problem}: see the queue of {name}", problem=known, name=robot.name))
     return _cancel(names, robot, found)
 
 

@@ -43,5 +43,5 @@ def error_text(code: int, message: str = "") -> Message:
     known = N_("navigator failed") if code >= 9000 else CODES.get(code) or _GROUPS.get(code // 100, "")
     text = Message("error {code}", code=code)
     if known:
-        text = Message("{known} (error {code})", known=Message(known), code=code)
+        text = Message("{text} (error {code})", text=Message(known), code=code)
     return Message("{text}: {message}", text=text, message=message) if message else text

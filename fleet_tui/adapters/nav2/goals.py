@@ -41,10 +41,9 @@ def _goal(names: Names, key: str, robot: Robot, args: Mapping[str, object]) -> A
     if not name:
         raise CommandError(
             Message(
-                "this robot has no {key}: [{table}.actions] {key2} is empty",
+                "this robot has no {key}: [{table}.actions] {key} is empty",
                 key=key,
                 table=names.table,
-                key2=key,
             )
         )
     return ActionGoal(name, names.action_type(key), args)
@@ -55,11 +54,11 @@ def cancel(names: Names, robot: Robot, order_id: str) -> tuple[ServiceCall]:
     found = [goal for listed in robot.goals.values() for goal in listed if goal.id == order_id]
     if len(found) != 1:
         known = (
-            Message("{found} goals match {order_id}", found=len(found), order_id=order_id)
+            Message("{count} goals match {order_id}", count=len(found), order_id=order_id)
             if found
             else Message("unknown goal {order_id}", order_id=order_id)
         )
-        raise CommandError(Message("{known}: see the queue of {name}", known=known, name=robot.name))
+        raise CommandError(Message("{problem}: see the queue of {name}", problem=known, name=robot.name))
     return (_cancel(names, robot, found[0].action, found[0].uuid),)
 
 

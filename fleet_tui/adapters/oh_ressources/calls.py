@@ -82,6 +82,8 @@ def named(names: Names, message: str, args: Mapping[str, object]) -> dict[str, o
     found = dict[str, object]()
     for name, value in args.items():
         if isinstance(value, int) and not -INT32_MAX - 1 <= value <= INT32_MAX:
-            raise CommandError(Message("{name} {value} exceeds the robot's 32 bits", name=name, value=value))
+            raise CommandError(
+                Message("{name} {number} exceeds the robot's 32 bits", name=name, number=value)
+            )
         put(found, names.path(message, name), value)
     return found

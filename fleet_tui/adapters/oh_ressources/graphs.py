@@ -79,7 +79,7 @@ def _number(what: str, id_: str) -> int:
     if str(number) != id_:
         raise CommandError(
             Message(
-                "{what} {name} would come back as {number}: write it so",
+                "{what} {name} would come back as {number}: write it that way",
                 what=what,
                 name=f"{id_!r}",
                 number=number,

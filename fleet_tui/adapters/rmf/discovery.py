@@ -48,15 +48,13 @@ def discover(listed: Listed) -> Discovery:
         if name in slashed:
             found.note(
                 "topics",
-                Message(
-                    "{name} can't be the name of a robot here: its fleet's name has a /", name=f"{name!r}"
-                ),
+                Message("{name} can't be a robot name here: its fleet's name contains a /", name=f"{name!r}"),
             )
         else:
             found.note(
                 "topics",
                 Message(
-                    "{name} can't be the name of a robot here: letters, digits and ./_- only",
+                    "{name} can't be a robot name here: letters, digits and ./_- only",
                     name=f"{name!r}",
                 ),
             )

@@ -125,7 +125,7 @@ def _member(robot: str, one: MemberMessage, at: float) -> events.Event:
     place, number = one.location, one.mode.mode
     mode = MODES[number] if 0 <= number < len(MODES) else Message("mode {number}", number=number)
     if number == MODES.index("performing an action") and one.mode.performing_action:
-        mode = Message("performing {truncate}", truncate=truncate(one.mode.performing_action, LONGEST_NAME))
+        mode = Message("performing {action}", action=truncate(one.mode.performing_action, LONGEST_NAME))
     try:
         pose, percent = _pose(place.x, place.y, place.yaw), _percent(one.battery_percent, 1.0)
     except WireError as problem:

@@ -87,7 +87,7 @@ def resume(names: Names, robot: Robot, unique: str) -> Sequence[Publication]:
     held = [one for one in active(robot.goals) if one.state is OrderState.PAUSED]
     asked = [_resumption(one) for one in held if one.tokens]
     if not asked:
-        emergency = Message("its task is held by an emergency: it goes on when that ends")
+        emergency = Message("its task is held by an emergency and continues when that ends")
         raise CommandError(emergency if held else Message("{name} has no interrupted task", name=robot.name))
     return _requests(names, unique, asked)
 

@@ -36,9 +36,9 @@ def type_problem(feed: Feed, types: Mapping[str, str], table: str = "profile") -
         return EMPTY
     keys = f"{table}.topics.{feed.key} or {table}.types.{feed.key}"
     return Message(
-        "{address} has type {found}, not {type}: correct {keys}",
+        "{address} has type {actual}, not {type}: correct {keys}",
         address=feed.address,
-        found=found,
+        actual=found,
         type=feed.type,
         keys=keys,
     )

@@ -172,7 +172,7 @@ class VehicleAdapter:
         address = self.topics.parse(message.address)
         if address is None:
             raise CommandError(
-                Message("{address} is no topic of {name}", address=f"{message.address!r}", name=robot.name)
+                Message("{address} is not a topic of {name}", address=f"{message.address!r}", name=robot.name)
             )
         whose = {"manufacturer": address.manufacturer, "serialNumber": address.serial}
         return message._replace(message={**whose, **message.message})

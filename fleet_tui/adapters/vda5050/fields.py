@@ -59,11 +59,11 @@ class Fields:
         self.faults.append(
             truncate(
                 Message(
-                    "{path}{name} is {value}, not {what}",
+                    "{path}{name} is {given}, not {expected}",
                     path=self._path,
                     name=name,
-                    value=f"{value!r}",
-                    what=what,
+                    given=f"{value!r}",
+                    expected=what,
                 ),
                 LONGEST_NAME,
             )
@@ -109,7 +109,9 @@ class Fields:
             if isinstance(one, dict):
                 yield Fields(one, self.faults, f"{self._path}{name}[{n}].")
             else:
-                self.faults.append(Message("{path}{name}[{n}] is no object", path=self._path, name=name, n=n))
+                self.faults.append(
+                    Message("{path}{name}[{n}] is not an object", path=self._path, name=name, n=n)
+                )
 
     def shown(self) -> Iterator[tuple[str, str]]:
         """Return the simple values of this object by name, as texts."""

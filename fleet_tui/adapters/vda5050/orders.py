@@ -65,7 +65,7 @@ def address_of(robot: Robot, name: str) -> tuple[str, str]:
     major = major_of(version)
     if major is None:
         said = Message(
-            "{name} says {version} as its version: which messages it reads is unknown",
+            "{name} reports version {version}, whose messages are unknown here",
             name=robot.name,
             version=f"{version!r}",
         )
@@ -73,7 +73,7 @@ def address_of(robot: Robot, name: str) -> tuple[str, str]:
     if name == ORDER and major >= TAKES_NO_ORDERS:
         raise CommandError(
             Message(
-                "{name} speaks VDA 5050 {version}, of which no orders are sent",
+                "{name} speaks VDA 5050 {version}: orders in that version are not supported",
                 name=robot.name,
                 version=version,
             )
@@ -255,7 +255,7 @@ def _leg(robot: Robot, graph: RouteGraph, start: Place, stop: Stop, number: int)
         way = graph.path(id_, stop.vertex)
         if not way:
             raise CommandError(
-                Message("no way from {name} to {vertex} on the graph", name=id_, vertex=stop.vertex)
+                Message("no path from {name} to {vertex} on the graph", name=id_, vertex=stop.vertex)
             )
         way = way[1:]
     else:

@@ -167,7 +167,7 @@ class MessageReader:
             counter.failed(str(problem))
             return (
                 events.MessageRejected(
-                    robot, Message("{truncate}: {problem}", truncate=truncate(message.topic), problem=problem)
+                    robot, Message("{topic}: {problem}", topic=truncate(message.topic), problem=problem)
                 ),
             )
         if not fields.faults:
@@ -175,7 +175,7 @@ class MessageReader:
         text = "; ".join(fields.faults[:3])
         counter.failed(text)
         return *read, events.MessageRejected(
-            robot, Message("{name}: {truncate}", name=address.name, truncate=truncate(text))
+            robot, Message("{name}: {text}", name=address.name, text=truncate(text))
         )
 
     def take_sent(self, message: BrokerMessage, at: float) -> None:
@@ -197,9 +197,7 @@ class MessageReader:
         if found is None:
             return (events.FrameRejected(self._link, text),)
         return (
-            events.MessageRejected(
-                found[0], Message("{truncate}: {text}", truncate=truncate(topic), text=text)
-            ),
+            events.MessageRejected(found[0], Message("{topic}: {text}", topic=truncate(topic), text=text)),
         )
 
 

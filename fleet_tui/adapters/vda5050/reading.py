@@ -153,7 +153,7 @@ def _end(vehicle: Vehicle, actions: Sequence[VehicleAction]) -> tuple[OrderState
     for one in actions:
         if one.status == "FAILED" and not one.is_beside:
             return OrderState.FAILED, ": ".join(
-                filter(None, (Message("{value} failed", value=one.type or "action"), one.text))
+                filter(None, (Message("{action} failed", action=one.type or "action"), one.text))
             )
     return OrderState.DONE, ""
 
@@ -165,7 +165,7 @@ def read_visualization(origin: MessageOrigin, message: Fields) -> Iterator[event
         if metres:
             message.faults.append(
                 Message(
-                    "position is {metres} m from that of the state before: not used", metres=f"{metres:.1f}"
+                    "position {metres} m from that of the previous state: ignored", metres=f"{metres:.1f}"
                 )
             )
         else:
@@ -177,7 +177,7 @@ def _pose(origin: MessageOrigin, message: Fields, name: str) -> Iterator[events.
     found, stamp = pose_of(message), stamp_of(message)
     text, number = message.text("timestamp"), message.number("headerId")
     if origin.memory.clock_stands(origin.robot, name, text, number, origin.at):
-        message.faults.append(Message("clock stands still: {text} in all messages", text=text))
+        message.faults.append(Message("clock stopped: {text} in all messages", text=text))
         stamp = None
     if found is not None:
         yield events.PoseReported(origin.robot, origin.at, *found, stamp)

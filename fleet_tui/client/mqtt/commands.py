@@ -142,7 +142,7 @@ class VehicleCommands:
                 address_of(robot, ORDER)
             self.request_state(robot.name)
             unmet = Message(
-                "no state of {name} within {timeout} s: order again once it has sent one",
+                "no state from {name} within {timeout} s: repeat the order once it has sent one",
                 name=robot.name,
                 timeout=f"{self._timeout:g}",
             )
@@ -154,7 +154,7 @@ class VehicleCommands:
         self._messages(command, command_id, late)
         self._publish(freeing)
         unmet = Message(
-            "{name} goes on charging: it did not stop within {timeout} s",
+            "{name} is still charging: it did not stop within {timeout} s",
             name=robot.name,
             timeout=f"{self._timeout:g}",
         )
@@ -197,7 +197,7 @@ class VehicleCommands:
     def _interrupt(self, robot: str, why: Message) -> None:
         """Do not send the order that is held for a vehicle, because of what happened meanwhile."""
         if (held := self._held.get(robot)) is not None:
-            told = Message("{why} after it was told to stop charging", why=why)
+            told = Message("{why} after the command to stop charging", why=why)
             self._give_up(robot, told if held.stop else Message("{why} before its first state", why=why))
 
     def _release(self, held: HeldOrder) -> None:
@@ -295,11 +295,13 @@ class VehicleCommands:
     def _check(self, command: Command, late: float) -> None:
         """Raise CommandError or LinkError if a command must not be sent."""
         if late > LATEST:
-            raise CommandError(Message("console busy for {late} s: repeat the command", late=f"{late:.1f}"))
+            raise CommandError(
+                Message("console busy for {seconds} s: repeat the command", seconds=f"{late:.1f}")
+            )
         # A pause is tried even if other commands are held back: it can only make things safer.
         if not isinstance(command, PauseRobot) and self._connection.silence > LONGEST_SILENCE:
             raise LinkError(
-                Message("no reply from the broker for {silence} s", silence=f"{self._connection.silence:.1f}")
+                Message("no reply from the broker for {seconds} s", seconds=f"{self._connection.silence:.1f}")
             )
         state = self._writer.store.state
         robot = state.robots[command.robot]
@@ -355,7 +357,9 @@ class VehicleCommands:
         if not held.stop or vehicle.charging is False:  # not told is not ended
             self._release(held)
         elif failure := failure_of(held.stop, vehicle):
-            self._give_up(robot, Message("{robot} goes on charging: {failure}", robot=robot, failure=failure))
+            self._give_up(
+                robot, Message("{robot} is still charging: {failure}", robot=robot, failure=failure)
+            )
 
     def _wait_again(self, id_: str, asked: AwaitedAnswer) -> None:
         """Wait for the end of an action that is being carried out: that is no missing answer."""

@@ -226,7 +226,9 @@ class CommandChannel:
         """Return the outgoing calls and publications of a command. Raises CommandError or LinkError if it
         must not be sent."""
         if late > LATEST:
-            raise CommandError(Message("console busy for {late} s: repeat the command", late=f"{late:.1f}"))
+            raise CommandError(
+                Message("console busy for {seconds} s: repeat the command", seconds=f"{late:.1f}")
+            )
         # A pause is tried even if other commands are held back: it can only make things safer.
         if not isinstance(command, PauseRobot):
             if self._heartbeat.path is CommandPath.DEAD:
@@ -234,7 +236,9 @@ class CommandChannel:
             silent = self._silence()
             if silent > LONGEST_SILENCE:
                 # A command sent into a frozen connection may be delivered, and obeyed, much later.
-                raise LinkError(Message("no message from the bridge for {silent} s", silent=f"{silent:.1f}"))
+                raise LinkError(
+                    Message("no message from the bridge for {seconds} s", seconds=f"{silent:.1f}")
+                )
         outgoing = self._made(command, command_id)
         for one in outgoing:
             if not isinstance(command, PauseRobot):
@@ -243,10 +247,9 @@ class CommandChannel:
                 table = self._adapters[command.robot].names.table
                 raise CommandError(
                     Message(
-                        "{mismatch}: correct [{table}.services], or [{table2}.service_types]",
+                        "{mismatch}: correct [{table}.services], or [{table}.service_types]",
                         mismatch=mismatch,
                         table=table,
-                        table2=table,
                     )
                 )
         return [one for one in outgoing if not self._lacks_server(one)]

@@ -163,7 +163,7 @@ class Services:
         # Another node may offer it by now: the next call uses the current type.
         self.query()
         return Message(
-            "{service} has type {found}, not {expected}", service=service, found=found, expected=expected
+            "{service} has type {actual}, not {expected}", service=service, actual=found, expected=expected
         )
 
     def lacks_server(self, action: str) -> bool:

@@ -230,7 +230,7 @@ class Telemetry:
         self._received_at = self._active_at = at
         if self._waiting > MOST_WAITING:
             self.counter.dropped += 1
-            behind = Message("{waiting} MB still being decoded", waiting=f"{self._waiting / 1000000.0:.0f}")
+            behind = Message("{size} MB still being decoded", size=f"{self._waiting / 1000000.0:.0f}")
             self._take(
                 events.FrameRejected(
                     self._link,

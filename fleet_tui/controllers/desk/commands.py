@@ -67,7 +67,7 @@ class DeskCommands:
             case "open", [start, end]:
                 return self._open(self._edge(start, end))
             case "desk", []:
-                return Message("Desk: who is there, claims, closed edges"), self.menu
+                return Message("Desk: consoles, claims, closed edges"), self.menu
         raise CommandError(Message("usage: {usage}", usage=USAGE[verb]))
 
     def _completed(self, verb: str, words: list[str]) -> list[str]:
@@ -168,7 +168,7 @@ class DeskCommands:
         mine = Message("{me} (this console){claims}", me=desk.me, claims=_claims(desk.claims))
         title = Message("Desk: {mine}", mine=sanitize(mine) if desk.me else Message("none"))
         if not desk.others and desk.me:
-            title += "\n" + Message("nobody else is there")
+            title += "\n" + Message("no other console")
         for edge in desk.closed:
             named = Message(
                 "{edge_text} on {ends}", edge_text=edge_text(self._robot, edge.ends), ends=edge.ends[0]

@@ -103,7 +103,7 @@ class DraftChecks:
             counts_text=counts_text(checked.found) or Message("no findings"),
             ways=checked.ways,
         )
-        self._parts.open_menu(title, entries or [(Message("Nothing to mend"), lambda: None)], searched=True)
+        self._parts.open_menu(title, entries or [(Message("Nothing to fix"), lambda: None)], searched=True)
 
     def compare(self) -> None:
         """List the differences from the live graph; each entry goes to its place."""
@@ -146,7 +146,7 @@ class DraftChecks:
         start = draft.floor.edges[mode.edge].start if mode.edge else vertex
         at = draft.floor.vertices.get(start)
         if at is None:
-            self._parts.notices.say(Message("it is not in the draft any more"))
+            self._parts.notices.say(Message("no longer in the draft"))
             return
         mode.selected = "" if mode.edge else start
         mode.cursor = (at.x, at.y)

@@ -71,7 +71,7 @@ class GraphDrawing:
         pose = robot.pose
         if pose is None or robot.floor != draft.floor.name:
             self._notices.say(
-                Message("{name} has no pose on {name2}", name=robot.name, name2=sanitize(draft.floor.name))
+                Message("{name} has no pose on {floor}", name=robot.name, floor=sanitize(draft.floor.name))
             )
         elif self._parts.store.state.now - pose.at > OLD_POSE:
             self._notices.say(Message("the pose of {name} is old: not used", name=robot.name))
@@ -161,7 +161,7 @@ class GraphDrawing:
                 (Message("Cost"), partial(self._parts.begin, f"{COST} ")),
                 (Message("Remove (x)"), self.remove),
             ]
-            self._parts.open_menu(sanitize(Message("edge {id}: {told}", id=edge.id, told=told)), entries)
+            self._parts.open_menu(sanitize(Message("edge {id}: {facts}", id=edge.id, facts=told)), entries)
             return
         vertex = draft.floor.vertices[mode.selected]
         heading = (
@@ -178,11 +178,11 @@ class GraphDrawing:
         self._parts.open_menu(
             sanitize(
                 Message(
-                    "vertex {id} at {x}, {y} m: {told}",
+                    "vertex {id} at {x}, {y} m: {facts}",
                     id=vertex.id,
                     x=f"{vertex.x:.2f}",
                     y=f"{vertex.y:.2f}",
-                    told=told,
+                    facts=told,
                 )
             ),
             [

@@ -74,7 +74,7 @@ def values_text(edge: DocumentEdge) -> str:
 def _shown(word: str, value: float | None) -> Message:
     unit = " m/s" if word == SPEED else ""
     return (
-        Message("{word} any", word=word)
+        Message("{attribute} any", attribute=word)
         if value is None
-        else Message("{word} {value}{unit}", word=word, value=f"{value:g}", unit=unit)
+        else Message("{attribute} {value}{unit}", attribute=word, value=f"{value:g}", unit=unit)
     )

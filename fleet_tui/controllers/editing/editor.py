@@ -80,9 +80,7 @@ class GraphEditor:
     def _begin(self, floor: str, file: DraftFile | None) -> None:
         """Begin a draft with the live graph."""
         if floor != self._navigation.floor:
-            self._notices.say(
-                Message("not edited: another floor than {floor} is shown", floor=sanitize(floor))
-            )
+            self._notices.say(Message("not edited: {floor} is not the floor shown", floor=sanitize(floor)))
             return
         draft = GraphDraft(live_floor(self._store.state, self._navigation.selection))
         if self._enter(draft, file) and file is not None:
@@ -92,7 +90,7 @@ class GraphEditor:
         scene, view = self.picture.scene, self.picture.viewport
         if scene is None or scene.floor != draft.floor.name:
             self._notices.say(
-                Message("not edited: another floor than {name} is shown", name=sanitize(draft.floor.name))
+                Message("not edited: {name} is not the floor shown", name=sanitize(draft.floor.name))
             )
             return False
         self.draft = draft

@@ -80,7 +80,7 @@ class DraftFiles:
             format_ = format_named(wanted) if wanted else None
         except GraphError as problem:
             return Typed(problem=sanitize(message_of(problem)))
-        shown = Message(" as {value}", value=Message(format_.value)) if format_ is not None else EMPTY
+        shown = Message(" as {format}", format=Message(format_.value)) if format_ is not None else EMPTY
         return Typed(
             [
                 (
@@ -119,7 +119,10 @@ class DraftFiles:
         question = "\n".join(
             map(
                 sanitize,
-                (Message("Write {name} as {value}?", name=path.name, value=Message(format_.value)), *doubts),
+                (
+                    Message("Write {name} as {format}?", name=path.name, format=Message(format_.value)),
+                    *doubts,
+                ),
             )
         )
         self._ask(lambda: question, save)
@@ -149,7 +152,7 @@ def _doubts(document: GraphDocument, format_: GraphFormat, vehicle: str) -> list
     inputs = LintInputs(target=format_, vehicle_type=vehicle)
     doubts = [loss.line for loss in losses(document, format_)]
     return doubts + [
-        Message("{value} refuses: {text}", value=Message(format_.value), text=one.text)
+        Message("{format} refuses: {text}", format=Message(format_.value), text=one.text)
         for one in of_target(document, inputs)
     ]
 

@@ -83,13 +83,13 @@ class RouteFiles:
         if (format_ := format_of(path)) is not FORMAT:
             remedy = Message("run fleet-tui graph convert, and name the new file in [[floors]] graph")
             return Message(
-                "not sent: {name} is {value}, not geojson: {remedy}",
+                "not sent: {name} is {format}, not geojson: {remedy}",
                 name=path.name,
-                value=Message(format_.value),
+                format=Message(format_.value),
                 remedy=remedy,
             )
         # The robot reads it after it was written here.
-        return Message("not sent: {found}", found=found) if (found := doubt(path)) else EMPTY
+        return Message("not sent: {problem}", problem=found) if (found := doubt(path)) else EMPTY
 
     def file_of(self, floor: DocumentFloor) -> RouteFile:
         """Return the file for a draft. Raises GraphError, also for what the route server refuses."""

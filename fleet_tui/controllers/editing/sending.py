@@ -50,12 +50,12 @@ class DraftSending:
             return
         floor, robot = opened[0].floor, parts.store.state.robots[parts.navigation.robot]
         refusal = parts.dispatch.set_up_refusal() or (
-            Message("not sent: {doubt}", doubt=self.doubt) if self.doubt else EMPTY
+            Message("not sent: {problem}", problem=self.doubt) if self.doubt else EMPTY
         )
         if not refusal and not robot.kind.can(GRAPH):
             refusal = robot.kind.lack(GRAPH)
         if not refusal and floor.name not in robot.maps:
-            refusal = Message("{name} does not drive on {name2}", name=robot.name, name2=floor.name)
+            refusal = Message("{name} does not drive on {floor}", name=robot.name, floor=floor.name)
         if not refusal and robot.kind.loads_graphs:
             refusal = self._route_files.refusal(floor.name)
         if refusal:

@@ -51,7 +51,7 @@ class VertexValues:
             types = sorted(used) or USUAL_TYPES
             entries: list[Entry] = [(Message("none"), partial(self._renew, type_=""))]
             entries += [(verbatim(type_), partial(self._renew, type_=type_)) for type_ in types]
-            entries.append((Message("another one, typed"), partial(self._parts.begin, f"{TYPE} ")))
+            entries.append((Message("another one: type it"), partial(self._parts.begin, f"{TYPE} ")))
             self._parts.open_menu(
                 Message("Type of vertex {id}", id=sanitize(vertex.id)), entries, searched=True
             )

@@ -210,7 +210,7 @@ def read_page(path: Path, name: str, time: Division, battery_low: float) -> Show
     try:
         with opened_to_read(path) as database:
             if is_empty(database):
-                return replace(shown, problem=Message("nothing is written yet"))
+                return replace(shown, problem=Message("nothing recorded yet"))
             history = History(database, MOST)
             shown = replace(shown, begun=history.begun())
             return PAGES[name](history, Totals(database), shown, battery_low)

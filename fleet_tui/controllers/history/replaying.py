@@ -52,9 +52,9 @@ class PastReplay:
         arguments = ["replay", str(path), "--at", start.isoformat(timespec="seconds")]
         if loss := self._loss():
             return Message(
-                "{loss}: in another terminal: {value}",
+                "{loss}: in another terminal: {command}",
                 loss=loss,
-                value=shlex.join(["fleet-tui", *arguments]),
+                command=shlex.join(["fleet-tui", *arguments]),
             )
         return self._run([sys.executable, "-P", "-m", "fleet_tui", *arguments])
 
@@ -71,9 +71,5 @@ def run_in_terminal(command: Sequence[str]) -> Message:
         signal.signal(signal.SIGINT, before)
     said = shlex.join(["fleet-tui", *command[3:]])
     return (
-        Message(
-            "it ended with status {returncode}; this says why: {said}", returncode=done.returncode, said=said
-        )
-        if done.returncode
-        else EMPTY
+        Message("exit status {code}: {text}", code=done.returncode, text=said) if done.returncode else EMPTY
     )

@@ -14,7 +14,7 @@ from fleet_tui.rules.language.lookup import Place, is_still, order_of
 from fleet_tui.rules.routes.dispatching import to_any
 from fleet_tui.rules.routes.nearest import Nearest, nearest, why_none, why_not
 from fleet_tui.state.store import Store
-from fleet_tui.text.language import EMPTY, Message, joined, message_of
+from fleet_tui.text.language import EMPTY, Message, joined, message_of, tr, translate
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.questions import request_text
 
@@ -32,10 +32,10 @@ class AnyoneOrders:
         """Ask whether the nearest idle robot shall visit the places, or any that a dispatcher chooses; `sent`
         is called when it was sent. Returns the reason not to, empty while the question is open."""
         if (request := to_any(self._store.state, places)) is None:
-            return self._propose(places, sent, "")
+            return self._propose(places, sent, EMPTY)
         return self._dispatch.give(request, sent, asks=True)
 
-    def _propose(self, places: Sequence[Place], sent: Callable[[], None], before: str) -> Message:
+    def _propose(self, places: Sequence[Place], sent: Callable[[], None], before: Message) -> Message:
         """Ask about the nearest robot; `before` is the reason why that is a second question."""
         found = nearest(self._store.state, places)
         if found is None:
@@ -50,12 +50,16 @@ class AnyoneOrders:
     def _request(self, found: Nearest) -> Request:
         return order_of(self._store.state.robots[found.robot], found.places)
 
-    def _question(self, found: Nearest, before: str) -> str:
+    def _question(self, found: Nearest, before: Message) -> str:
         state = self._store.state
-        text = f"{request_text(state, self._request(found))}?\nNearest idle, {found.metres:.0f} m away"
+        text = tr(
+            "{order}?\nNearest idle, {metres} m away",
+            order=request_text(state, self._request(found)),
+            metres=f"{found.metres:.0f}",
+        )
         reason = why_not(state, state.robots[found.robot])
-        now = Message("It is now {reason}: Yes proposes the next one", reason=reason) if reason else ""
-        return "\n".join(filter(None, (before, text, now)))
+        now = tr("It is now {reason}: Yes proposes the next one", reason=reason) if reason else ""
+        return "\n".join(filter(None, (translate(before), text, now)))
 
     def _send(self, found: Nearest, places: Sequence[Place], sent: Callable[[], None]) -> None:
         """Send the confirmed order; propose another robot if this one is not idle any more."""
@@ -64,7 +68,7 @@ class AnyoneOrders:
         changed = [place.name for place in found.places if not is_still(robot, place)]
         if changed:
             problem: Message = Message(
-                "not sent: {changed} of {robot} is another place now",
+                "not sent: {changed} of {robot} is a different place now",
                 changed=sanitize(changed[0]),
                 robot=found.robot,
             )
@@ -87,9 +91,9 @@ class AnyoneOrders:
         if places is None:
             return None
         names = " -> ".join(sanitize(place.name) for place in places)
-        text = Message("nearest idle robot: {names}", names=names)
+        text = Message("nearest idle robot: {route}", route=names)
         if to_any(state, places) is not None:
-            text = Message("any robot of the dispatcher: {names}", names=names)
+            text = Message("any robot of the dispatcher: {route}", route=names)
         return Typed([(text, partial(self._do, places))], complete(line, state))
 
     def _do(self, places: Sequence[Place]) -> None:

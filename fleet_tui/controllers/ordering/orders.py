@@ -90,7 +90,7 @@ class OrderRequests:
             self._notices.say(refusal)
             return False
         if not robot.kind.can(kind.ORDER):
-            self._notices.say(Message("{name}: {lack}", name=robot.name, lack=robot.kind.lack(kind.ORDER)))
+            self._notices.say(Message("{name}: {text}", name=robot.name, text=robot.kind.lack(kind.ORDER)))
         return robot.kind.can(kind.ORDER)
 
     def start_at(self, vertex: str, floor: str) -> None:
@@ -126,7 +126,7 @@ class OrderRequests:
             case _:
                 asked = self._robot
                 lacks = not asked.kind.can(kind.CANCEL)
-                lack = Message("{name}: {lack}", name=asked.name, lack=asked.kind.lack(kind.CANCEL))
+                lack = Message("{name}: {text}", name=asked.name, text=asked.kind.lack(kind.CANCEL))
                 self._notices.say(lack if lacks else Message("no order to cancel"))
 
     def ask_cancel(self, robot: str, order_id: str) -> None:
@@ -196,7 +196,7 @@ class OrderRequests:
         if before is None:
             self._notices.say(
                 Message(
-                    "order {order_id} is there already, or does not wait here any more",
+                    "order {order_id} is already there, or no longer waits here",
                     order_id=sanitize(order_id),
                 )
             )

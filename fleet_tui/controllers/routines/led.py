@@ -66,9 +66,9 @@ class LedRoutines:
             raise RoutineError(refusal)
         urls = bridge_urls(self._store.state, plans_of(self._store.state, file))
         owner = Message(
-            "{value} (process {getpid}, routine {name})",
-            value=self._files.operator or "a console",
-            getpid=os.getpid(),
+            "{operator} (process {pid}, routine {name})",
+            operator=self._files.operator or "a console",
+            pid=os.getpid(),
             name=file.name,
         )
         path = progress_path(self._place.state, file.path)

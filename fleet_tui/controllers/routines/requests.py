@@ -106,7 +106,7 @@ class RoutineRequests:
         entries.append((Message("Check: problems or timeline"), partial(self._check, name, show_text)))
         lane = next((one for one in row.lanes if one.robot == robot and not row.is_left), None)
         state = lane_word(lane) if lane is not None else row_word(row)
-        by = Message(", led by {owner}", owner=row.owner) if row.owner and run is None else EMPTY
+        by = Message(", run by {owner}", owner=row.owner) if row.owner and run is None else EMPTY
         title = Message("{name}: {state}{by}", name=" ".join(filter(None, (name, robot))), state=state, by=by)
         where = lane_text(row.plans[robot], lane) if lane is not None else ""
         self._open_menu(joined("\n", (sanitize(line) for line in (title, where) if line)), entries)
@@ -121,9 +121,9 @@ class RoutineRequests:
         if any(lane.phase is LanePhase.READY for lane in shut):
             found.append((Message("Skip the next instruction, and resume"), LaneSkipped()))
         if len(shut) < len(lanes):
-            found.append((Message("Pause: running orders go on, nothing follows"), LanePaused()))
+            found.append((Message("Pause: running orders continue, nothing new starts"), LanePaused()))
         if lanes:
-            found.append((Message("Stop: running orders go on"), LaneStopped()))
+            found.append((Message("Stop: running orders continue"), LaneStopped()))
         return [(text, partial(self._request, run, event, robot)) for text, event in found]
 
     def _request(self, run: RoutineRun, event: LaneRequest, robot: str) -> None:
@@ -171,9 +171,9 @@ class RoutineRequests:
             self._notices.say(
                 sanitize(
                     Message(
-                        "{name}: {value}",
+                        "{name}: {change}",
                         name=name,
-                        value=Message("continued, held") if is_left else Message("started"),
+                        change=Message("continued, held") if is_left else Message("started"),
                     )
                 )
             )

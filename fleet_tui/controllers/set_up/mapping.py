@@ -120,7 +120,7 @@ class MappingControls:
                     )
                 )
         self._parts.open_menu(
-            joined("\n", map(sanitize, lines)), entries or [(Message("Nothing can be done"), lambda: None)]
+            joined("\n", map(sanitize, lines)), entries or [(Message("No action available"), lambda: None)]
         )
 
     def _switch(self, on: bool) -> None:
@@ -137,11 +137,13 @@ class MappingControls:
         if self._files.naming_refusal:
             return Typed(problem=self._files.naming_refusal)
         if not name.strip():
-            return Typed(problem=Message("a file: {WORD} maps/{floor}.yaml", WORD=WORD, floor=scene.floor))
+            return Typed(
+                problem=Message("a file: {command} maps/{floor}.yaml", command=WORD, floor=scene.floor)
+            )
         return Typed(
             [
                 (
-                    Message("Save the map to {strip}", strip=sanitize(name.strip())),
+                    Message("Save the map to {file}", file=sanitize(name.strip())),
                     partial(self._save, scene.grid, name.strip()),
                 )
             ]

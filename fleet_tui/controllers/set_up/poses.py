@@ -137,10 +137,10 @@ class PoseRequests:
                 self._notices.say(
                     sanitize(
                         Message(
-                            "not sent: {name} is on {floor}, the goal on {floor2}",
+                            "not sent: {name} is on {floor}, the goal on {goal_floor}",
                             name=robot.name,
                             floor=floor,
-                            floor2=mode.floor,
+                            goal_floor=mode.floor,
                         )
                     )
                 )

@@ -78,7 +78,7 @@ class PoseSnap:
         if mode.pose != start:
             self._notices.say(Message("the cursor was moved during the search: press again"))
         elif found is None:
-            self._notices.say(Message("no better fit within {REACH} m of the cursor", REACH=f"{REACH:g}"))
+            self._notices.say(Message("no better fit within {metres} m of the cursor", metres=f"{REACH:g}"))
         else:
             mode.put(found[0])
             self._controls.enter(mode)

@@ -100,12 +100,12 @@ class MarkedCommands:
         commands = [command for one in asked for command in one.request.commands]
         robots = len({command.robot for command in commands})
         head = (
-            Message("Send to {robots} robots?", robots=robots)
+            Message("Send to {count} robots?", count=robots)
             if robots > 1
-            else Message("Send {commands} commands?", commands=len(commands))
+            else Message("Send {count} commands?", count=len(commands))
         )
         lines = [line for one in asked for line in self._lines(one)]
-        more = [Message("and {lines} more", lines=len(lines) - SHOWN)] if len(lines) > SHOWN else []
+        more = [Message("and {count} more", count=len(lines) - SHOWN)] if len(lines) > SHOWN else []
         return "\n".join([head, *(f"  {line}" for line in lines[:SHOWN]), *more])
 
     def _lines(self, asked: _Asked) -> Iterator[str]:
@@ -114,7 +114,7 @@ class MarkedCommands:
         found = self._dispatch.objections(request)
         against = asked.lack or next((problem.text for problem in found if problem.blocks), EMPTY)
         if against or (withdrawn := self._dispatch.withdrawn(request, asked.subject)):
-            yield Message("not sent: {against}", against=sanitize(against)) if against else withdrawn
+            yield Message("not sent: {problem}", problem=sanitize(against)) if against else withdrawn
             return
         warnings = "".join(f" ({sanitize(problem.text)})" for problem in found)
         lost = list(losses(state, request)) or [request_text(state, request)]
@@ -125,7 +125,7 @@ class MarkedCommands:
         told, since = list[tuple[Command, Message]](), monotonic()
         for one in asked:
             problem = (
-                Message("not sent: {lack}", lack=one.lack)
+                Message("not sent: {problem}", problem=one.lack)
                 if one.lack
                 else self._dispatch.send_confirmed(one.request, one.subject)
             )
@@ -149,7 +149,7 @@ def _asked_of(state: FleetState, request: Request, robot: Robot, other: Robot) -
         lacks += (
             []
             if found
-            else [Message("{name} has no {name2} on {floor}", name=other.name, name2=place.name, floor=floor)]
+            else [Message("{name} has no {place} on {floor}", name=other.name, place=place.name, floor=floor)]
         )
     commands = tuple(
         replace(

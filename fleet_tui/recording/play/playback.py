@@ -164,10 +164,10 @@ def _happened(marks: list[Mark]) -> Iterator[TimeMark]:
                 mark.at,
                 MarkKind.ALARM,
                 Message(
-                    "{robot} {words}{again}",
+                    "{robot} {text}{times}",
                     robot=record.robot or record.link,
-                    words=record.words,
-                    again=again,
+                    text=record.words,
+                    times=again,
                 ),
             )
         elif record.kind == "command" and record.change in _WORDS:
@@ -184,10 +184,10 @@ def _command(record: AuditRecord) -> Message:
     if record.change == Stage.CHECKED.value:
         return text
     return Message(
-        "{text}: {change}{detail_text}",
+        "{text}: {change}{detail}",
         text=text,
         change=record.change,
-        detail_text=detail_text(record.words),
+        detail=detail_text(record.words),
     )
 
 

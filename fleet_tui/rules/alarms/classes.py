@@ -26,14 +26,14 @@ CLASSES = {
         "medium",
         "the fleet adapter of a robot reports an issue, or its driver an emergency or an adapter error",
         "it may stand until somebody looks; its fleet may give its tasks to others",
-        Message("Read the issue on the robot's page; look at its fleet adapter, and at the robot"),
+        Message("Read the issue on the robot's page; check its fleet adapter and the robot"),
         5,
     ),
     "facility": AlarmClass(
         "medium",
         "a lift in fire or emergency mode, or a lift, a door, a dispenser or an ingestor offline",
         "robots that need it wait there",
-        Message("Go to it and put it in service again, or close the lanes to it"),
+        Message("Go there and put it back in service, or close the lanes to it"),
         10,
     ),
     "held": AlarmClass(

@@ -81,7 +81,7 @@ def battery(state: FleetState, robot: Robot, active: ActiveConditions) -> Condit
     was_critical = before is not None and before.priority is Priority.MEDIUM
     critical = limits.battery_critical + (limits.battery_band if was_critical else 0.0)
     # Rounded down: 19.6 is below 20, and must not read 20.
-    text: Message = Message("battery {value} %", value=int(reading.value))
+    text: Message = Message("battery {percent} %", percent=int(reading.value))
     if state.is_old(robot, "battery"):
         text += Message(", {age} ago", age=age(state.now - reading.at))
     due = -math.inf

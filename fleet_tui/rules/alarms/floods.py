@@ -32,7 +32,7 @@ FLOODS = {
     "stuck": Flood(Message("with an order, not moving"), Message("no longer stuck"), Priority.MEDIUM),
     "pause": Flood(Message("in a long pause"), Message("pauses ended"), Priority.LOW),
     "localisation": Flood(
-        Message("unsure of their position"), Message("localisation recovered"), Priority.MEDIUM
+        Message("with an uncertain position"), Message("localisation recovered"), Priority.MEDIUM
     ),
     "navigation": Flood(
         Message("with silent navigation"), Message("navigation reports again"), Priority.MEDIUM

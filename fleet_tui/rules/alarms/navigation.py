@@ -36,9 +36,9 @@ def not_sure_where(state: FleetState, robot: Robot, active: ActiveConditions) ->
     if (since := misplaced_for_long(state, robot)) is None or robot.misplaced is None:
         return None
     text = Message(
-        "localisation wrong for {age}: {value}",
+        "localisation wrong for {age}: {fault}",
         age=age(state.now - since),
-        value=Message(robot.misplaced.value),
+        fault=Message(robot.misplaced.value),
     )
     return Condition(robot.name, "localisation", Priority.MEDIUM, text, Message("localisation recovered"))
 

@@ -14,7 +14,7 @@ ON_ITS_WAY = Message("Wait: it is on its way to a charger")
 """The action at a low battery of a robot that needs no further order."""
 CHARGES = Message("Wait: it is charging")
 """The action at a low battery of a robot that says so, or stands at a charger."""
-LOOK_AT_CHARGER = Message("Look at the robot and its charger")
+LOOK_AT_CHARGER = Message("Check the robot and its charger")
 """The action if waiting did not help."""
 AT_CHARGER = 0.5
 """Metres within which a robot is at a charger."""

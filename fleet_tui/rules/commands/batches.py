@@ -20,6 +20,7 @@ _WORDS = {
     Stage.NOT_SENT: "not sent",
 }
 _WELL = ("confirmed", "accepted")
+_OPEN = "open"
 
 
 def batches(records: Sequence[CommandRecord]) -> list[list[CommandRecord]]:
@@ -56,12 +57,11 @@ def pauses(records: Sequence[CommandRecord]) -> list[list[CommandRecord]]:
 def batch_name(state: FleetState, commands: Sequence[Command]) -> Message:
     """Return the name of pauses or resumes of several robots: `pause all`, `resume 3 robots`."""
     robots = {command.robot for command in commands}
-    verb = Message("pause") if isinstance(commands[0], PauseRobot) else Message("resume")
-    return (
-        Message("{verb} all", verb=verb)
-        if robots == set(state.robots)
-        else Message("{verb} {robots} robots", verb=verb, robots=len(robots))
-    )
+    if isinstance(commands[0], PauseRobot):
+        all_of_them, some_of_them = Message("pause all"), Message("pause {count} robots", count=len(robots))
+    else:
+        all_of_them, some_of_them = Message("resume all"), Message("resume {count} robots", count=len(robots))
+    return all_of_them if robots == set(state.robots) else some_of_them
 
 
 def summary(state: FleetState, batch: Sequence[CommandRecord]) -> tuple[Message, Message]:
@@ -69,8 +69,8 @@ def summary(state: FleetState, batch: Sequence[CommandRecord]) -> tuple[Message,
     carried out, or were, unseen."""
     found: dict[str, list[CommandRecord]] = defaultdict(list)
     for record in batch:
-        found[_WORDS.get(record.stage, "open")].append(record)
-    words = dict.fromkeys([*_WELL, *_WORDS.values(), "open"])
+        found[_WORDS.get(record.stage, _OPEN)].append(record)
+    words = dict.fromkeys([*_WELL, *_WORDS.values(), _OPEN])
     parts = [_part(word, found[word]) for word in words if word in found]
     foreign = [record.command.robot for record in batch if record.detail.startswith(FOREIGN)]
     if foreign:
@@ -80,10 +80,12 @@ def summary(state: FleetState, batch: Sequence[CommandRecord]) -> tuple[Message,
     return batch_name(state, [record.command for record in batch]), joined(", ", parts)
 
 
-def _part(word: str, records: Sequence[CommandRecord]) -> str:
+def _part(word: str, records: Sequence[CommandRecord]) -> Message:
     if word in _WELL:
-        return f"{len(records)} {word}"
-    robots = list(dict.fromkeys(record.command.robot for record in records))
+        return Message("{count} {outcome}", count=len(records), outcome=Message(word))
+    robots = some(list(dict.fromkeys(record.command.robot for record in records)))
+    if word == _OPEN:
+        return Message("{count} open ({robots})", count=len(records), robots=robots)
+    part = Message("{count} {outcome} ({robots})", count=len(records), outcome=Message(word), robots=robots)
     reasons = {record.detail for record in records}
-    reason = f": {reasons.pop()}" if len(reasons) == 1 and word != "open" else ""
-    return f"{len(records)} {word} ({some(robots)}){reason.rstrip(': ')}"
+    return joined(": ", filter(None, (part, *(reasons if len(reasons) == 1 else ()))))

@@ -139,14 +139,15 @@ def not_in_queue(state: FleetState, robot: Robot, command: Command) -> Iterator[
     old = not state.is_fresh(robot, "queue")
     order = next((one for one in all_orders(state, robot) if one.id == command.order_id), None)
     if order is None and robot.kind.lists_orders:
-        its = Message("an order") if robot.kind.keeps_goals else Message("in the queue")
-        text = Message(
-            "order {order_id} is not {its} of {name}",
-            order_id=command.order_id,
-            its=its,
-            name=robot.name,
-        )
-        yield Problem("not in the queue", text + (" at last report" if old else ""), blocks=not old)
+        if robot.kind.keeps_goals:
+            text = Message("{name} has no order {order_id}", name=robot.name, order_id=command.order_id)
+        else:
+            text = Message(
+                "order {order_id} is not in the queue of {name}", order_id=command.order_id, name=robot.name
+            )
+        if old:
+            text = Message("{problem} at last report", problem=text)
+        yield Problem("not in the queue", text, blocks=not old)
     elif order is not None and order.is_over:
         text = Message(
             "order {order_id} of {name} is already {state_text}",
@@ -164,9 +165,9 @@ def nothing_to_clear(state: FleetState, robot: Robot, command: Command) -> Itera
             return
         old, ours = not state.is_fresh(robot, "queue"), Message(" of this console") * robot.kind.clears_own
         text = Message(
-            "{name} {value}",
+            "{name} {fact}",
             name=robot.name,
-            value=Message("had no orders{ours} at last report", ours=ours)
+            fact=Message("had no orders{ours} at last report", ours=ours)
             if old
             else Message("has no orders{ours}", ours=ours),
         )
@@ -290,4 +291,4 @@ def repeated(request: Request, given: Mapping[tuple[Command, ...], float], now: 
     places = any(isinstance(command, PlaceOrder) for command in request.commands)
     if at is None or now - at >= SAME_WITHIN or not places:
         return []
-    return [Problem("repeated", Message("same order sent {now} s ago", now=f"{now - at:.1f}"))]
+    return [Problem("repeated", Message("same order sent {seconds} s ago", seconds=f"{now - at:.1f}"))]

@@ -32,9 +32,7 @@ _OVER = {
 _CAUSED = frozenset({commands.Stage.REFUSED, commands.Stage.FAILED, commands.Stage.NOT_CONFIRMED})
 """Failures of which the cause is first: the request is known to the operator."""
 CARRIED_OUT = Message("Do not repeat the command: the robot has carried it out")
-MAY_FOLLOW = Message(
-    "Look at the robot and its queue, and do not repeat the order before: it may still be carried out"
-)
+MAY_FOLLOW = Message("Check the robot and its queue before you repeat the order: it may still be carried out")
 DRIVES_ON = Message("It still has the order: pause it, or stop it at the robot, then cancel again")
 REJECTED = Message("Check that its navigation is active: `fleet-tui doctor` asks it")
 MANY = 5
@@ -152,8 +150,8 @@ def _texts(robot: Robot, last: commands.CommandRecord, request: Message) -> tupl
     # The failure and its cause are first: they must not be cut at the right end.
     over = Message(_OVER.get(last.stage, "failed"))
     return (
-        Message("{stage}: {told}", stage=Message(last.stage.value), told=told),
-        Message("{stage}: {told}", stage=over, told=request),
+        Message("{stage}: {reason}", stage=Message(last.stage.value), reason=told),
+        Message("{stage}: {reason}", stage=over, reason=request),
     )
 
 

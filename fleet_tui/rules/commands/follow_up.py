@@ -75,7 +75,7 @@ def _lost_pause(state: FleetState, robot: Robot, record: CommandRecord) -> Comma
         Step(
             Stage.LOST,
             state.now,
-            Message("{STARTED_OVER}: no longer paused", STARTED_OVER=STARTED_OVER),
+            Message("{reason}: no longer paused", reason=STARTED_OVER),
         )
     )
 
@@ -139,7 +139,7 @@ def _corrected(state: FleetState, robot: Robot, record: CommandRecord) -> Comman
             state,
             record,
             Stage.CONFIRMED,
-            Message("listed again; corrects: {value}", value=Message(record.stage.value)),
+            Message("listed again; corrects: {stage}", stage=Message(record.stage.value)),
         )
     listed = _listed(robot, record, state.now)
     gone = listed or (known[-1] if known else None)
@@ -155,7 +155,7 @@ def _corrected(state: FleetState, robot: Robot, record: CommandRecord) -> Comman
         state,
         record,
         stage,
-        Message("{reason}; corrects: {value}", reason=reason, value=Message(record.stage.value)),
+        Message("{reason}; corrects: {stage}", reason=reason, stage=Message(record.stage.value)),
     )
 
 

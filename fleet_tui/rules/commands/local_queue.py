@@ -26,7 +26,7 @@ from fleet_tui.text.language import EMPTY, Message
 
 PREFIX = "k"
 """Prefix of the ids of orders that are kept here: a robot's goals have hexadecimal ones."""
-ANOTHER_CLIENT = Message("another client drives")
+ANOTHER_CLIENT = Message("another client is driving")
 HELD_BY_OTHERS = (ANOTHER_CLIENT, "someone else drives")
 """The second is that of older recordings."""
 
@@ -145,7 +145,7 @@ def failed_before(state: FleetState, robot: Robot, command_id: int) -> Message:
     together = (one for one in orders if one.issued_at == given_at and one.id < command_id)
     failed = (one for one in together if one.is_decided and one.stage not in _WELL)
     return next(
-        (Message("order before it: {value}", value=Message(one.stage.value)) for one in failed), EMPTY
+        (Message("order before it: {stage}", stage=Message(one.stage.value)) for one in failed), EMPTY
     )
 
 
@@ -239,11 +239,11 @@ def _reasons(state: FleetState, robot: Robot) -> Iterator[Message]:
         # On another floor the same ids are other places.
         if one.before.floor and robot.floor and one.before.floor != robot.floor:
             yield Message(
-                "order {order_id} is for {floor}, {name} is on {floor2}",
+                "order {order_id} is for {floor}, {name} is on {robot_floor}",
                 order_id=one.order_id,
                 floor=one.before.floor,
                 name=robot.name,
-                floor2=robot.floor,
+                robot_floor=robot.floor,
             )
         # Nobody was asked about an emergency stop or a fatal error since: a new order would be.
         against = (problem.text for problem in own_mode(state, robot, one.command))

@@ -34,7 +34,7 @@ def shared_way(state: FleetState, robot: Robot, command: Command) -> Iterator[Pr
     ]
     if others:
         text = Message(
-            "the way of {name} shares an edge with {some}: no traffic control here",
+            "the route of {name} shares an edge with {some}: no traffic control here",
             name=robot.name,
             some=some(others),
         )
@@ -64,14 +64,12 @@ def other_master(now: float, robot: Robot, command: Command) -> Message:
     if robot.vehicle is None or not isinstance(command, PlaceOrder | CancelOrder | ClearOrders):
         return EMPTY
     if robot.master is not None and now - robot.master.at < QUIET_FOR:
-        seen = Message(
-            "{value}, {age} ago", value=Message(robot.master.value), age=age(now - robot.master.at)
-        )
+        seen = Message("{name}, {age} ago", name=Message(robot.master.value), age=age(now - robot.master.at))
         return Message(
-            "another master control commands {name} ({seen}): stop it, or wait {QUIET_FOR} s",
+            "another master control commands {name} ({seen}): stop it, or wait {seconds} s",
             name=robot.name,
             seen=seen,
-            QUIET_FOR=f"{QUIET_FOR:.0f}",
+            seconds=f"{QUIET_FOR:.0f}",
         )
     foreign = next((goal.id for goal in active(robot.goals) if not goal.is_ours), "")
     return (
@@ -143,7 +141,7 @@ def no_heading(_state: FleetState, robot: Robot, command: Command) -> Iterator[P
         return
     if any(stop.pose is not None and not stop.turns_freely for stop in command.stops):
         text = Message(
-            "{name} takes no heading by its factsheet: it turns at the goal as it likes", name=robot.name
+            "{name} accepts no heading (factsheet): it chooses its own at the goal", name=robot.name
         )
         yield Problem("no heading", text, blocks=False)
 

@@ -118,7 +118,7 @@ def no_path(state: FleetState, robot: Robot, command: commands.Command) -> Itera
         starts, ends = _floors(robot, start), _floors(robot, end)
         unknown = not starts or not ends or (not starts & ends and _lack_lifts(robot, starts | ends))
         if not unknown and not _are_joined(_graphs(robot), start, end):
-            names = Message("{name} to {name2}", name=_name(robot, start), name2=_name(robot, end))
+            names = Message("{start} to {end}", start=_name(robot, start), end=_name(robot, end))
             yield Problem("no path", Message("no path for {name} from {names}", name=robot.name, names=names))
 
 
@@ -135,7 +135,7 @@ def no_way_there(state: FleetState, robot: Robot, command: commands.Command) -> 
         unknown = not floors or (floor not in floors and _lack_lifts(robot, {floor, *floors}))
         if not unknown and not _are_joined(graphs, near.id, vertex):
             text = Message(
-                "no path for {name} from its position to {name2}", name=robot.name, name2=_name(robot, vertex)
+                "no path for {name} from its position to {end}", name=robot.name, end=_name(robot, vertex)
             )
             yield Problem("no path", text, blocks=False)
 
@@ -170,7 +170,7 @@ def mistakable(robot: Robot, floors: Iterable[tuple[str, str]]) -> Iterator[Prob
                 "{name_on} on {floor}", name_on=_name_on(robot, vertex, robot.floor), floor=robot.floor
             )
             text = Message(
-                "{meant} can't be named: {name} takes its id {vertex} as {taken}, where it is",
+                "{meant} can't be ordered: where {name} is, the id {vertex} is that of {taken}",
                 meant=meant,
                 name=robot.name,
                 vertex=vertex,
@@ -179,7 +179,7 @@ def mistakable(robot: Robot, floors: Iterable[tuple[str, str]]) -> Iterator[Prob
             yield Problem("floor mismatch", text)
         else:
             text = Message(
-                "{meant} has the id {vertex}, which {others} has too: the robot decides which is meant",
+                "{meant} has the id {vertex}, as has {others}: the robot decides between them",
                 meant=meant,
                 vertex=vertex,
                 others=others[0],

@@ -68,14 +68,14 @@ def _changes(state: FleetState, now: Subject, asked: Subject) -> Iterator[str]:
         before = {order.id: order for order in orders}
         for order in now.orders.get(name, ()):
             if order.id not in before:
-                yield Message("{name} has a further order, {id}", name=name, id=order.id)
+                yield Message("{name} has another order, {id}", name=name, id=order.id)
             elif order.id in gone or order.stops != before[order.id].stops:
-                yield Message("order {id} of {name} is another one now", id=order.id, name=name)
+                yield Message("order {id} of {name} is a different one now", id=order.id, name=name)
     for (name, vertex), place in asked.places.items():
         if now.places.get((name, vertex)) != place:
-            yield Message("vertex {vertex} of {name} is another place now", vertex=vertex, name=name)
+            yield Message("vertex {vertex} of {name} is a different place now", vertex=vertex, name=name)
     for name, goals in asked.goals.items():
         if not set(now.goals.get(name, ())) <= set(goals):
             yield Message("{name} has another goal now", name=name)
     for name in sorted(asked.paused - now.paused):
-        yield Message("{name} is not paused any more", name=name)
+        yield Message("{name} is no longer paused", name=name)

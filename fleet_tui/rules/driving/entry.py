@@ -21,8 +21,8 @@ def drive_refusal(state: FleetState, robot: Robot) -> Message:
         return Message("no link to {name}: wait for it", name=robot.name)
     if robot.pose is None or state.now - robot.pose.at > POSE_WITHIN + state.behind:
         return Message(
-            "no pose of {name} within {POSE_WITHIN} s: it can't be seen driving",
+            "no pose of {name} within {seconds} s: it can't be seen driving",
             name=robot.name,
-            POSE_WITHIN=f"{POSE_WITHIN:g}",
+            seconds=f"{POSE_WITHIN:g}",
         )
     return next((problem.text for problem in busy(state, robot)), EMPTY)

@@ -69,9 +69,9 @@ class DriveSession:
             if at - self._began > ECHO_WITHIN:
                 return self.end(
                     Message(
-                        "no echo from {topic} within {ECHO_WITHIN} s",
+                        "no echo from {topic} within {seconds} s",
                         topic=self._topic,
-                        ECHO_WITHIN=f"{ECHO_WITHIN:g}",
+                        seconds=f"{ECHO_WITHIN:g}",
                     )
                 )
             return self._send(STILL, at) if at - self._sent_at >= AGAIN else []
@@ -101,7 +101,7 @@ class DriveSession:
 
     def _step(self, at: float, is_clear: bool) -> Frames:
         if self.state.sent != STILL and (late := self._echoes.late(at)) > LATEST:
-            return self.end(Message("lag: no echo for {late} s", late=f"{late:.1f}"))
+            return self.end(Message("lag: no echo for {seconds} s", seconds=f"{late:.1f}"))
         target = self._steering.speeds if self._asked(at) else STILL
         seconds = min(at - self._sent_at, PERIOD) if self._moves else PERIOD
         speeds = next_speeds(self.state.sent, target, seconds, self._caps)

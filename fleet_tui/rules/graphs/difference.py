@@ -52,18 +52,18 @@ def _of_vertex(before: DocumentFloor, after: DocumentFloor, id_: str) -> list[Gr
         )
     if old.label != new.label:
         text: str = Message(
-            "vertex {id}: {quoted} -> {quoted2}",
+            "vertex {id}: {before} -> {after}",
             id=id_,
-            quoted=_quoted(old.label),
-            quoted2=_quoted(new.label),
+            before=_quoted(old.label),
+            after=_quoted(new.label),
         )
         found.append(GraphChange("relabelled", text, id_))
     if old.type != new.type:
         text = Message(
-            "vertex {named}: {value} -> {value2}",
+            "vertex {named}: {before} -> {after}",
             named=named(new),
-            value=old.type or "plain",
-            value2=new.type or "plain",
+            before=old.type or "plain",
+            after=new.type or "plain",
         )
         found.append(GraphChange("retyped", text, id_))
     return found
@@ -95,10 +95,10 @@ def _of_edge(old: _Way | None, new: _Way | None, id_: str) -> list[GraphChange]:
         GraphChange(
             "rewired",
             Message(
-                "edge {id}: {way_text} -> {way_text2}",
+                "edge {id}: {before} -> {after}",
                 id=id_,
-                way_text=_way_text(old),
-                way_text2=_way_text(new),
+                before=_way_text(old),
+                after=_way_text(new),
             ),
             "",
             id_,
@@ -112,4 +112,4 @@ def _unordered(way: _Way) -> tuple[object, bool]:
 
 
 def _way_text(way: _Way) -> Message:
-    return Message("{way} {value} {way2}", way=way[0], value="<>" if way[2] else ">", way2=way[1])
+    return Message("{start} {direction} {end}", start=way[0], direction="<>" if way[2] else ">", end=way[1])

@@ -44,10 +44,10 @@ def duplicate_ids(floor: DocumentFloor, inputs: LintInputs) -> Iterator[GraphFin
     """Report ids that the file had several times, each once."""
     vertices = {repeated: one.id for one in floor.vertices.values() for repeated in one.repeats}
     for repeated, id_ in vertices.items():
-        yield _error("duplicate id", Message("vertex {repeated}: duplicate id", repeated=repeated), id_)
+        yield _error("duplicate id", Message("vertex {id}: duplicate id", id=repeated), id_)
     edges = {repeated: one.id for one in floor.edges.values() for repeated in one.repeats}
     for repeated, id_ in edges.items():
-        yield _error("duplicate id", Message("edge {repeated}: duplicate id", repeated=repeated), "", id_)
+        yield _error("duplicate id", Message("edge {id}: duplicate id", id=repeated), "", id_)
 
 
 def _is_too_large(id_: str) -> bool:
@@ -69,7 +69,10 @@ def ends(floor: DocumentFloor, inputs: LintInputs) -> Iterator[GraphFinding]:
         lost = [end for end in (edge.start, edge.end) if end not in floor.vertices]
         if lost:
             yield _error(
-                "unknown vertex", Message("edge {id}: unknown vertex {lost}", id=id_, lost=lost[0]), "", id_
+                "unknown vertex",
+                Message("edge {id}: unknown vertex {vertex}", id=id_, vertex=lost[0]),
+                "",
+                id_,
             )
         elif edge.start == edge.end:
             yield _error(
@@ -85,7 +88,7 @@ def places(floor: DocumentFloor, inputs: LintInputs) -> Iterator[GraphFinding]:
     for id_, vertex in floor.vertices.items():
         if not (abs(vertex.x) <= FARTHEST and abs(vertex.y) <= FARTHEST):
             text = Message(
-                "vertex {named}: ({x}, {y}) m is no place on a floor",
+                "vertex {named}: ({x}, {y}) m is not a place on a floor",
                 named=named(vertex),
                 x=f"{vertex.x:g}",
                 y=f"{vertex.y:g}",
@@ -108,7 +111,7 @@ def values(floor: DocumentFloor, inputs: LintInputs) -> Iterator[GraphFinding]:
             yield _error(
                 "value",
                 Message(
-                    "vertex {named}: heading {heading} is no angle",
+                    "vertex {named}: heading {heading} is not an angle",
                     named=named(vertex),
                     heading=f"{vertex.heading:g}",
                 ),
@@ -153,7 +156,7 @@ def labels(floor: DocumentFloor, inputs: LintInputs) -> Iterator[GraphFinding]:
     taken = dict[str, str]()
     for id_, label in floor.labels.items():
         if not folded(label):
-            yield _error("label", Message("vertex {id}: label of blanks only", id=id_), id_)
+            yield _error("label", Message("vertex {id}: label is blank", id=id_), id_)
             continue
         if sanitize(label) != label:
             text = Message(
@@ -176,10 +179,10 @@ def labels(floor: DocumentFloor, inputs: LintInputs) -> Iterator[GraphFinding]:
             )
         if cell_width(label) > LONGEST_LABEL:
             text = Message(
-                "vertex {id}: label of {cell_width} cells, over {LONGEST_LABEL}",
+                "vertex {id}: label of {cells} cells, over {limit}",
                 id=id_,
-                cell_width=cell_width(label),
-                LONGEST_LABEL=LONGEST_LABEL,
+                cells=cell_width(label),
+                limit=LONGEST_LABEL,
             )
             yield _warning("long label", text, id_)
 
@@ -189,7 +192,7 @@ def types(floor: DocumentFloor, inputs: LintInputs) -> Iterator[GraphFinding]:
     if "0" in floor.vertices and inputs.target in _WITH_ZERO:
         yield _warning(
             "id 0",
-            Message("vertex {named}: {READ_AS_0}", named=named(floor.vertices["0"]), READ_AS_0=READ_AS_0),
+            Message("vertex {named}: {problem}", named=named(floor.vertices["0"]), problem=READ_AS_0),
             "0",
         )
     if inputs.types is None:

@@ -46,6 +46,6 @@ def limited(findings: list[GraphFinding]) -> list[GraphFinding]:
     if len(findings) <= MOST:
         return findings
     more = GraphFinding(
-        findings[0].rule, Message("and {findings} more", findings=len(findings) - MOST), findings[0].is_error
+        findings[0].rule, Message("and {count} more", count=len(findings) - MOST), findings[0].is_error
     )
     return [*findings[:MOST], more]

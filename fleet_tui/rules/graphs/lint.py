@@ -111,7 +111,7 @@ def _unreachable(floor: DocumentFloor, inputs: LintInputs) -> list[GraphFinding]
 
 def _reason(id_: str, traps: tuple[str, ...]) -> Message:
     return (
-        Message("a trap, no way back to the others")
+        Message("a dead end, no way back to the others")
         if id_ in traps
         else Message("not reachable from the others")
     )

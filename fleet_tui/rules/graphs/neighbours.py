@@ -75,9 +75,9 @@ def _close(shape: _Shape) -> Iterator[GraphFinding]:
             ids = shape.ids[a], shape.ids[b]
             metres = float(np.hypot(*(shape.places[a] - shape.places[b])))
             text = Message(
-                "vertices {ids} and {ids2} are {metres} m apart",
-                ids=ids[0],
-                ids2=ids[1],
+                "vertices {first} and {second} are {metres} m apart",
+                first=ids[0],
+                second=ids[1],
                 metres=f"{metres:.2f}",
             )
             yield GraphFinding("close vertices", text, False, "", ids)
@@ -105,9 +105,9 @@ def _passing(shape: _Shape) -> Iterator[GraphFinding]:
             *(part[apart < CLOSE] for part in (edge, order[at], apart)), strict=True
         ):
             text = Message(
-                "edge {edges} passes vertex {ids} at {metres} m",
-                edges=shape.edges[n],
-                ids=shape.ids[vertex],
+                "edge {edge} passes vertex {vertex} at {metres} m",
+                edge=shape.edges[n],
+                vertex=shape.ids[vertex],
                 metres=f"{metres:.2f}",
             )
             yield GraphFinding("passed vertex", text, False, "", (shape.ids[vertex],), (shape.edges[n],))
@@ -139,7 +139,7 @@ def _crossing(shape: _Shape) -> Iterator[GraphFinding]:
         crossed = _cross(starts[one], stops[one], starts[other], stops[other])
         for a, b in zip(order[one[crossed]], order[other[crossed]], strict=True):
             ids = shape.edges[a], shape.edges[b]
-            text = Message("edges {ids} and {ids2} cross without a vertex", ids=ids[0], ids2=ids[1])
+            text = Message("edges {first} and {second} cross without a vertex", first=ids[0], second=ids[1])
             yield GraphFinding("crossing", text, False, "", (), ids)
             found += 1
             if found > 2 * MOST:
@@ -167,7 +167,7 @@ def doubled(floor: DocumentFloor) -> Iterator[GraphFinding]:
         other = next((ways[way] for way in both if way in ways), None)
         if other is not None:
             text = Message(
-                "edge {id} doubles edge {other} from {start} to {end}",
+                "edge {id} duplicates edge {other} from {start} to {end}",
                 id=id_,
                 other=other,
                 start=edge.start,

@@ -34,7 +34,7 @@ def _labels_of_site(document: GraphDocument) -> Iterator[GraphFinding]:
             other = taken.setdefault(label, (floor.name, id_))
             if other[0] != floor.name:
                 text = Message(
-                    "vertex {id}: label {label} is taken on {other}; RMF has one for a site",
+                    "vertex {id}: label {label} is taken on {other}; RMF allows one per site",
                     id=id_,
                     label=f"{label!r}",
                     other=other[0],
@@ -76,16 +76,16 @@ def _nav2(floor: DocumentFloor) -> Iterator[GraphFinding]:
     if not floor.vertices or not floor.edges:
         what = Message("edge") if floor.vertices else Message("vertex")
         yield GraphFinding(
-            "empty", Message("no {what}: Nav2 loads no such graph", what=what), True, floor.name
+            "empty", Message("no {what}: Nav2 does not load such a graph", what=what), True, floor.name
         )
     for kind, ids in (("vertex", floor.vertices), ("edge", floor.edges)):
         for id_ in ids:
             if id_.isascii() and id_.isdecimal() and (len(id_) > 9 or int(id_) > UINT16):
                 text = Message(
-                    "{kind} {id}: id over {UINT16}, which Nav2's messages can't name",
+                    "{kind} {id}: id over {limit}, too large for Nav2's messages",
                     kind=Message(kind),
                     id=id_,
-                    UINT16=UINT16,
+                    limit=UINT16,
                 )
                 of_vertex, of_edge = ((id_,), ()) if kind == "vertex" else ((), (id_,))
                 yield GraphFinding("nav2 id", text, True, floor.name, of_vertex, of_edge)
@@ -97,7 +97,7 @@ def _vehicles(floor: DocumentFloor) -> Iterator[GraphFinding]:
     edges = tuple(id_ for id_, edge in floor.edges.items() if not edge.per_vehicle)
     if bare or edges:
         text = Message(
-            "no vehicle type at {bare} vertices and {edges} edges: nothing may use them",
+            "no vehicle type at {bare} vertices and {edges} edges: no vehicle may use them",
             bare=len(bare),
             edges=len(edges),
         )

@@ -70,9 +70,7 @@ def parse_anyone(line: str, state: FleetState) -> list[Place] | None:
         return None
     words = place_words(line, found[1:])
     if len(words) < 2 or not all(words):
-        raise CommandError(
-            Message("usage: {anyone} FROM TO, or {anyone2} FROM > TO", anyone=ANYONE, anyone2=ANYONE)
-        )
+        raise CommandError(Message("usage: {anyone} FROM TO, or {anyone} FROM > TO", anyone=ANYONE))
     return [_place(state, word) for word in words]
 
 

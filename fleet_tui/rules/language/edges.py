@@ -20,12 +20,11 @@ def edge_named(robot: Robot, floor: str, start: str, end: str) -> Ends:
         names = sorted(robot_map.labels.get(vertex, vertex) for vertex in joined)
         raise CommandError(
             Message(
-                "no edge {start} - {end} on {floor}: {start2} is joined with {some}",
+                "no edge {start} - {end} on {floor}: {start} connects to {others}",
                 start=start,
                 end=end,
                 floor=floor,
-                start2=start,
-                some=some(names),
+                others=some(names),
             )
         )
     return ends_of(floor, one, other)
@@ -48,9 +47,9 @@ def _vertex(robot: Robot, floor: str, graph: RouteGraph, word: str) -> str:
     if found:
         raise CommandError(
             Message(
-                "{said} is ambiguous: use {value}",
+                "{said} is ambiguous: use {ids}",
                 said=said(word),
-                value=" or ".join(f"id={one}" for one in found),
+                ids=" or ".join(f"id={one}" for one in found),
             )
         )
     raise CommandError(

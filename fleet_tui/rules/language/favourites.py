@@ -61,7 +61,7 @@ def favourites(places: Iterable[Place], given: Sequence[Given]) -> list[Favourit
     found = [Favourite(*ends, Message("last")) for ends in routes[:1]]
     return [
         *found,
-        *(Favourite(*ends, Message("{counted} times", counted=counted[ends])) for ends in often),
+        *(Favourite(*ends, Message("{count} times", count=counted[ends])) for ends in often),
     ][:MOST]
 
 

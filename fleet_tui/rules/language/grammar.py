@@ -94,7 +94,7 @@ def parse_words(words: Sequence[str], state: FleetState, selected: str = "") -> 
     if verb in USAGE:
         raise CommandError(Message("usage: {usage}", usage=USAGE[verb]))
     name = find_robot(words[0], state, [*state.robots, *USAGE]).name
-    raise CommandError(Message("usage: {name} FROM > TO, or {name2} > TO", name=name, name2=name))
+    raise CommandError(Message("usage: {name} FROM > TO, or {name} > TO", name=name))
 
 
 def _cancel(state: FleetState, robot: Robot, word: str) -> Request:

@@ -108,7 +108,7 @@ def _pose(values: Sequence[str]) -> Pose:
         if not _NUMBER.fullmatch(value):
             raise CommandError(
                 Message(
-                    "{value} is not a number: metres, and degrees counter-clockwise", value=f"{value[:40]!r}"
+                    "{word} is not a number: metres, and degrees counter-clockwise", word=f"{value[:40]!r}"
                 )
             )
     x, y, degrees = (*map(float, values), 0.0)[:3]

@@ -48,8 +48,8 @@ def find_robot(word: str, state: FleetState, known: Iterable[str] = ()) -> Robot
     near = did_you_mean(word, known or state.robots)
     raise CommandError(
         Message(
-            "unknown robot{value} {said}{near}",
-            value=Message(" or command") if known else "",
+            "unknown robot{or_command} {said}{near}",
+            or_command=Message(" or command") if known else "",
             said=said(word),
             near=near,
         )

@@ -82,7 +82,7 @@ def _way(state: FleetState, robot: Robot) -> tuple[Place, Place]:
     if nearest == start.id:
         raise CommandError(Message("{name} is at a charger", name=robot.name))
     if not math.isfinite(ways[nearest]):
-        raise CommandError(Message("no way on the graph leads {name} to a charger", name=robot.name))
+        raise CommandError(Message("no path on the graph leads {name} to a charger", name=robot.name))
     begin, end = (Place(id_, here.name_of(id_) or id_, robot.floor) for id_ in (start.id, nearest))
     return begin, end
 

@@ -48,7 +48,7 @@ class CutOrder(Struct, frozen=True):
         return (
             Message("detour +{more} m ({around} m)", more=more, around=f"{self.around:.0f}")
             if more > 0
-            else Message("another way, as long")
+            else Message("another route, as long")
         )
 
 

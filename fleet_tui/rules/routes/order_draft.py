@@ -51,7 +51,7 @@ class DraftRoute(Struct, frozen=True):
     def text(self) -> Message:
         """Return its length, and a guess of its time."""
         if self.metres is None:
-            return Message("no way on the graph")
+            return Message("no path on the graph")
         lift = Message(", by lift") if self.by_lift else EMPTY
         to_start = (
             Message("{approach} m to the start, then ", approach=f"{self.approach:.0f}")
@@ -66,12 +66,12 @@ class DraftRoute(Struct, frozen=True):
         takes = _rounded_up((self.metres + self.approach) / (self.pace or SPEED))
         if self.pace is None:
             return Message(
-                "{to_start}{metres} m{lift}, about {takes} at an assumed {SPEED} m/s{after}",
+                "{to_start}{metres} m{lift}, about {takes} at an assumed {pace} m/s{after}",
                 to_start=to_start,
                 metres=f"{self.metres:.0f}",
                 lift=lift,
                 takes=takes,
-                SPEED=SPEED,
+                pace=SPEED,
                 after=after,
             )
         return Message(

@@ -130,7 +130,7 @@ class _LaneCheck:
         robot = self._robot
         ability = kind.ORDER if has_start else kind.ORDER_TO
         if not robot.kind.can(ability):
-            yield Message("{name}: {lack}", name=robot.name, lack=robot.kind.lack(ability))
+            yield Message("{name}: {text}", name=robot.name, text=robot.kind.lack(ability))
             return
         vertices = list[str]()
         for place in places:

@@ -51,7 +51,7 @@ def outcome_of(record: CommandRecord) -> OrderEnded | None:
     if not record.is_decided or record.has_open_order:
         return None
     words = (
-        Message("{value}: {detail}", value=Message(record.stage.value), detail=record.detail)
+        Message("{stage}: {detail}", stage=Message(record.stage.value), detail=record.detail)
         if record.detail
         else Message(record.stage.value)
     )
@@ -65,7 +65,7 @@ def earlier_outcome(robot: Robot, order_id: str) -> OrderEnded | None:
     if gone is not None:
         return OrderEnded(
             gone.stage is Stage.DONE,
-            Message("{value}: {reason}", value=Message(gone.stage.value), reason=gone.reason),
+            Message("{what}: {reason}", what=Message(gone.stage.value), reason=gone.reason),
         )
     if robot.queue is None or any(one.id == order_id and not one.is_over for one in robot.orders.orders):
         return None
@@ -93,6 +93,6 @@ def objection(problems: Sequence[Problem]) -> OrderEnded | OrderWithheld | None:
     a person to decide."""
     if not problems:
         return None
-    text = Message("not sent: {text}", text=joined("; ", (problem.text for problem in problems)))
+    text = Message("not sent: {problem}", problem=joined("; ", (problem.text for problem in problems)))
     can_fail = problems[0].blocks and problems[0].check not in _FOR_A_PERSON
     return OrderEnded(False, text) if can_fail else OrderWithheld(text)

@@ -181,7 +181,7 @@ def parse_routine(text: str) -> ParsedRoutine:
     if len(lines) > MOST_LINES:
         reader.wrong(
             MOST_LINES + 1,
-            Message("over {MOST_LINES} lines: divide the routine into several files", MOST_LINES=MOST_LINES),
+            Message("over {limit} lines: divide the routine into several files", limit=MOST_LINES),
         )
     reader.lines = deque(reader.split(lines[:MOST_LINES]))
     routine = reader.routine()

@@ -156,7 +156,7 @@ class _Drawing:
             return 0.0, ""
         route = draft_route(self._robot, draft)
         if route is None or route.metres is None:
-            return None, Message("way unknown")
+            return None, Message("route unknown")
         return route.metres / SPEED, f"{route.metres:.0f} m"
 
     def _place(self, vertex: str, floor: str) -> Place:

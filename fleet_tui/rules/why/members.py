@@ -16,7 +16,7 @@ def failed_mode(state: FleetState, robot: Robot) -> Reason | None:
     """Report a mode in which it can't drive."""
     if robot.member is None or robot.member.value.mode not in FAILED_MODES:
         return None
-    remedy = Message("Look at the robot and at its fleet adapter")
+    remedy = Message("Check the robot and its fleet adapter")
     return Reason(
         robot.member.value.mode,
         Message("reported by its driver"),
@@ -44,7 +44,7 @@ def emergency(state: FleetState, robot: Robot) -> Reason | None:
     if not held:
         return None
     return Reason(
-        Message("held by an emergency"), Message("its task goes on when that ends"), seen=held[0].listed_at
+        Message("held by an emergency"), Message("its task continues when that ends"), seen=held[0].listed_at
     )
 
 
@@ -56,7 +56,7 @@ def lift(state: FleetState, robot: Robot) -> Reason | None:
         return None
     one = own[0]
     strength = Strength.CERTAIN if one.fault else Strength.LIKELY
-    remedy = Message("Put the lift in service again") if one.fault else EMPTY
+    remedy = Message("Put the lift back in service") if one.fault else EMPTY
     return Reason(
         Message("waits for lift {name}", name=one.name), one.state, strength, seen=one.at, remedy=remedy
     )

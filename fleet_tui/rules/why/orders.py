@@ -40,7 +40,7 @@ from fleet_tui.text.units import age
 SHORT = 20.0
 """Seconds of standing with an order that need no cause."""
 RESTART = Message("Restart the program that carries out its orders, then check them")
-LOOK = Message("Go and look at it: its way, wheels, emergency stop, manual mode")
+LOOK = Message("Go and check its path, wheels, emergency stop and manual mode")
 
 
 def command(state: FleetState, robot: Robot) -> Reason | None:
@@ -59,7 +59,7 @@ def command(state: FleetState, robot: Robot) -> Reason | None:
     if record.stage is Stage.FAILED and remedy_of(evidence):
         keys = (*LOOK_AT, *keys, "diagnostics")
     return Reason(
-        Message("{verb}: {value}", verb=verb, value=Message(record.stage.value)),
+        Message("{verb}: {stage}", verb=verb, stage=Message(record.stage.value)),
         evidence,
         strength,
         since=record.at,
@@ -88,8 +88,8 @@ def failed_order(state: FleetState, robot: Robot) -> Reason | None:
     remedy = remedy or CLASSES["command"].action
     if end.stage is not Stage.FAILED:
         name, evidence = (
-            Message("last order {value}", value=Message(end.stage.value)),
-            Message("{evidence}{detail_text}", evidence=evidence, detail_text=detail_text(end.reason)),
+            Message("last order {stage}", stage=Message(end.stage.value)),
+            Message("{evidence}{detail}", evidence=evidence, detail=detail_text(end.reason)),
         )
         remedy = ORDER_ENDS[end.stage].remedy
     return Reason(name, evidence, since=last.at, keys=keys, remedy=remedy, page="log")
@@ -121,8 +121,8 @@ def no_orders(state: FleetState, robot: Robot) -> Reason | None:
     record = last_command(state, robot, PlaceOrder, ClearOrders, CancelOrder)
     taken = record is not None and isinstance(record.command, ClearOrders | CancelOrder)
     evidence = Message(
-        "{value}: waiting for an order",
-        value=Message("no goal") if robot.kind.keeps_goals else Message("queue empty"),
+        "{state}: waiting for an order",
+        state=Message("no goal") if robot.kind.keeps_goals else Message("queue empty"),
     )
     if record is not None and taken and record.stage is Stage.CONFIRMED:
         evidence = Message("removed from the queue by this console {age} ago", age=age(state.now - record.at))

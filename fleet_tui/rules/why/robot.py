@@ -137,7 +137,7 @@ def own_late_pause(state: FleetState, robot: Robot) -> Reason | None:
     if record is None or state.is_paused(robot) or record.stage not in _UNRESOLVED:
         return None
     return Reason(
-        Message("pause from this console: {value}", value=Message(record.stage.value)),
+        Message("pause from this console: {stage}", stage=Message(record.stage.value)),
         record.detail or Message("issued {age} ago", age=age(state.now - record.issued_at)),
         Strength.LIKELY,
         since=record.issued_at,
@@ -192,13 +192,13 @@ def jumps(state: FleetState, robot: Robot) -> Reason | None:
     last, name = (
         recent[-1],
         Message(
-            "localisation jumps: {recent} in {JUMPS_WITHIN} s",
-            recent=len(recent),
-            JUMPS_WITHIN=f"{JUMPS_WITHIN:.0f}",
+            "localisation jumps: {jumps} in {seconds} s",
+            jumps=len(recent),
+            seconds=f"{JUMPS_WITHIN:.0f}",
         ),
     )
     evidence, keys = (
-        Message("the last by {value} m: its pose is not to be trusted", value=f"{last.value:.1f}"),
+        Message("last by {metres} m: do not trust its pose", metres=f"{last.value:.1f}"),
         ("pose", "centre", *DIAGNOSE),
     )
     return Reason(name, evidence, since=recent[0].at, seen=last.at, keys=keys, remedy=NO_POSE.action)
@@ -211,9 +211,9 @@ def misplaced(state: FleetState, robot: Robot) -> Reason | None:
         return None  # off its routes is another rule's, with the metres
     pose, is_now = robot.pose.value, is_misplaced(robot)
     evidence: Message = Message(
-        "at {x}, {y} m on {floor} no robot can be", x=f"{pose.x:.1f}", y=f"{pose.y:.1f}", floor=robot.floor
+        "no robot can be at {x}, {y} m on {floor}", x=f"{pose.x:.1f}", y=f"{pose.y:.1f}", floor=robot.floor
     )
-    evidence = evidence if is_now else Message("its pose has just been where no robot can be")
+    evidence = evidence if is_now else Message("its pose was just at an impossible place")
     is_sure = is_now or misplaced_for_long(state, robot) is not None
     strength = Strength.CERTAIN if is_sure else Strength.LIKELY
     strength = strength if state.is_fresh(robot, "pose") else Strength.POSSIBLE
@@ -253,7 +253,7 @@ def charges(state: FleetState, robot: Robot) -> Reason | None:
         return Reason(Message("charging"), by, Strength.LIKELY, stationary_since(robot), reported.at)
     if charger is None or battery is None or battery.value >= FULL:
         return None
-    evidence = Message("at the charger, battery {value} %, no order active", value=int(battery.value))
+    evidence = Message("at the charger, battery {percent} %, no order active", percent=int(battery.value))
     since = stationary_since(robot)
     return Reason(
         Message("charging at {name_of}", name_of=name_of(robot, charger.id)),
@@ -277,7 +277,7 @@ def battery(state: FleetState, robot: Robot) -> Reason | None:
         "below {limit} %: the robot may reserve the rest to reach a charger", limit=f"{limit:.0f}"
     )
     name, on_its_way = (
-        Message("battery {value} %", value=int(charge.value)),
+        Message("battery {percent} %", percent=int(charge.value)),
         charging_remedy(state, robot),
     )
     remedy, keys = (on_its_way, ()) if on_its_way else (CLASSES["battery"].action, ("charge",))

@@ -199,7 +199,7 @@ class Pages:
             return "", ""
         row = table.rows[table.keys.index(key)]
         text = "".join(part for part, _ in row.runs).strip()
-        return text, tr("the row, {text} characters", text=len(text))
+        return text, tr("the row, {count} characters", count=len(text))
 
 
 def line_of(key: Hashable) -> Hashable:

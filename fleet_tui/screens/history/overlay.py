@@ -138,7 +138,7 @@ def history_overlay(screen: "MainScreen", rest: "Rest") -> "HistoryOverlay":
             with screen.app.suspend():
                 return run_in_terminal(command)
         except SuspendNotSupported:
-            return Message("this terminal can't be given to a recording: open it in another one")
+            return Message("a recording can't use this terminal: open it in another one")
 
     replaying = PastReplay(screen.files, state_folder(), lambda: _loss(rest), run)
     return HistoryOverlay(screen, pages, replaying)

@@ -141,7 +141,9 @@ def warnings(state: FleetState, robot: Robot | None, found: Sequence[Problem]) -
     """Return what speaks against an order now, its problems `found` and a low battery, empty for nothing."""
     texts = [translate(sanitize(problem.text)) for problem in found]
     if robot is not None and robot.battery is not None and has_low_battery(state, robot):
-        texts.append(tr("battery of {name}: {value} %", name=robot.name, value=f"{robot.battery.value:.0f}"))
+        texts.append(
+            tr("battery of {name}: {percent} %", name=robot.name, percent=f"{robot.battery.value:.0f}")
+        )
         if way_to_charger(state, robot):
             texts.append(tr("charge it first"))
     return "; ".join(texts)
@@ -228,4 +230,4 @@ def line(choice: Favourite | str) -> str:
     """Return the line of an order to give again, or of a robot."""
     if isinstance(choice, Favourite):
         return f"{sanitize(choice.start.name)} -> {sanitize(choice.end.name)}  ({translate(choice.reason)})"
-    return tr("{ANYONE}: the nearest idle robot", ANYONE=ANYONE) if choice == ANYONE else choice
+    return tr("{word}: the nearest idle robot", word=ANYONE) if choice == ANYONE else choice

@@ -259,7 +259,7 @@ class Outcomes(Static):
             return
         told = zip(self._told, records, strict=True)
         lines = [_line(state, command, problem, record) for (command, problem), record in told]
-        more = [tr("and {lines} more: L has all", lines=len(lines) - SHOWN)] if len(lines) > SHOWN else []
+        more = [tr("and {count} more: L has all", count=len(lines) - SHOWN)] if len(lines) > SHOWN else []
         text = "\n".join([*lines[:SHOWN], *more])
         if text != self.content:
             self.update(text)

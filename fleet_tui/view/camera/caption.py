@@ -75,7 +75,7 @@ class PictureRate:
     def text(self) -> str:
         """Return the rate in words, with the limit that halved it."""
         halved = tr(" (limit {limit} kB/s)", limit=f"{self._limit / 1000:g}") if self.every > EVERY else ""
-        return tr("{value} fps{halved}", value=f"{1 / self.every:g}", halved=halved)
+        return tr("{rate} fps{halved}", rate=f"{1 / self.every:g}", halved=halved)
 
     def is_due(self, at: float) -> bool:
         """Tell whether another picture may be shown."""

@@ -175,7 +175,7 @@ TASKS: dict[Message, tuple[Step, ...]] = {
         (("menu",), Message("Menu of a row in a table")),
         (("filter_rows",), Message("Filter the table by what you type")),
         (("mark_row",), Message("Mark rows: a command goes to all")),
-        (("palette",), Message("Any action, found by typing")),
+        (("palette",), Message("Any action, by typing")),
         (("back",), Message("One level back")),
         (("quit",), Message("Quit")),
     ),
@@ -183,17 +183,17 @@ TASKS: dict[Message, tuple[Step, ...]] = {
 
 
 NEW_ALARM = Message("alarm that waits for an acknowledgement; robot with an alarm")
-SUPPRESSED = Message("alarms that another one stands for: of its group, or of its link")
+SUPPRESSED = Message("alarms covered by another one: that of their group or link")
 STATES = {
     Activity.DRIVING: Message("its pose changes"),
-    Activity.WAITING: Message("it stands with an order, with the seconds of that: amber from 30 s on"),
-    Activity.LOADING: Message("it stands at a stop of its order"),
+    Activity.WAITING: Message("stopped with an order, and for how long: amber from 30 s on"),
+    Activity.LOADING: Message("at a stop of its order"),
     Activity.BLOCKED: Message(
         "in contact with an obstacle, stopped by its navigation, or stuck with an order"
     ),
-    Activity.PAUSED: Message("by this console or, marked so, from elsewhere"),
-    Activity.IDLE: Message("it stands, and no order of it is known"),
-    Activity.CHARGING: Message("it is idle at a charger, and not full"),
+    Activity.PAUSED: Message("by this console, or from elsewhere, which is marked"),
+    Activity.IDLE: Message("stopped, without a known order"),
+    Activity.CHARGING: Message("idle at a charger, not full"),
     Activity.OFFLINE: Message("nothing received for too long, with the age of its last message"),
 }
 
@@ -291,8 +291,8 @@ def _robots(*robots: SceneRobot) -> Scene:
 
 _ROBOTS = (
     (_robots(_ROBOT), Message("a robot: its heading and number")),
-    (_robots(_ROBOT, _BESIDE, *[_ELSEWHERE] * FEW), Message("too close to another robot: its number alone")),
-    (_robots(*[_ROBOT] * LEAST), Message("robots near each other in a crowd: how many")),
+    (_robots(_ROBOT, _BESIDE, *[_ELSEWHERE] * FEW), Message("too close to another robot: only its number")),
+    (_robots(*[_ROBOT] * LEAST), Message("a crowd of robots: how many")),
     (_robots(_ROBOT._replace(selected=True)), Message("the selected robot")),
     (_robots(_ROBOT._replace(cargo=True)), Message("with cargo on board")),
     (
@@ -339,8 +339,8 @@ def _trail(age: float) -> Scene:
 
 
 _LINES = (
-    (replace(_FLOOR, mission=Mission(current=_WAY)), Message("the way of the selected robot's order")),
-    (replace(_FLOOR, mission=Mission(following=_WAY)), Message("the way of its next orders")),
+    (replace(_FLOOR, mission=Mission(current=_WAY)), Message("the route of the selected robot's order")),
+    (replace(_FLOOR, mission=Mission(following=_WAY)), Message("the route of its next orders")),
     (replace(_FLOOR, edges=_WAY), Message("an edge of the route graph")),
     (replace(_FLOOR, edges=_WAY, one_way=_WAY), Message("a one-way edge")),
     (
@@ -377,7 +377,7 @@ def _tables() -> tuple[HelpRow, ...]:
             text,
             Message("an order that another client gave: another console, the shell, RViz"),
         ),
-        tr("lost"): (alarm, Message("an order that the robot no longer lists, and that nobody saw end")),
+        tr("lost"): (alarm, Message("an order that the robot no longer lists, and whose end was not seen")),
         MARKS[MarkKind.COMMAND][0]: (StyleRole.ACCENT, Message("recording: a command")),
         MARKS[MarkKind.GAP][0]: (StyleRole.WARN, Message("recording: a gap")),
         MARKS[MarkKind.ALARM][0]: (alarm, Message("recording: an alarm")),
@@ -428,7 +428,7 @@ def legend(look: MapOptions) -> tuple[HelpSection, ...]:
     return (
         *(
             HelpSection(
-                Message("Legend: {kind}, {value}", kind=Message(kind), value=Message(look.drawing.value)),
+                Message("Legend: {kind}, {drawing}", kind=Message(kind), drawing=Message(look.drawing.value)),
                 rows,
             )
             for kind, rows in drawn.items()

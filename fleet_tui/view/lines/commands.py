@@ -77,7 +77,7 @@ def _group_runs(
     if brief and isinstance(first.command, commands.PlaceOrder):
         text = tr("{robot} order", robot=first.command.robot)
     if len(records) > 1:
-        text += tr(" +{records} more", records=len(records) - 1)
+        text += tr(" +{count} more", count=len(records) - 1)
     role = StyleRole.ALARM if first.stage in TROUBLE else _ROLES.get(first.stage, StyleRole.DIM)
     # A robot's answer on accepting ("paused") is true only at that moment.
     detail = "" if first.stage is commands.Stage.ACCEPTED else detail_text(translate(sanitize(first.detail)))

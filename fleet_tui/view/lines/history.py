@@ -40,9 +40,9 @@ def page_runs(page: int, span: str, until: str, width: int) -> tuple[list[Run], 
         title,
         (
             tr(
-                "[{page} of {HISTORY_PAGES} {name}]",
+                "[{page} of {pages} {name}]",
                 page=page,
-                HISTORY_PAGES=len(HISTORY_PAGES),
+                pages=len(HISTORY_PAGES),
                 name=tr(name),
             ),
             StyleRole.TITLE_FOCUSED,

@@ -81,4 +81,4 @@ def impact_lines(state: FleetState, cut: Sequence[CutOrder], most: int = MOST_SH
         told = mission(state.robots[one.robot], one.order)
         yield sanitize(f"{one.robot} {translate(told)}: {translate(one.text)}")
     if len(cut) > most:
-        yield tr("and {cut} more", cut=len(cut) - most)
+        yield tr("and {count} more", count=len(cut) - most)

@@ -42,7 +42,7 @@ def losses(state: FleetState, request: Request) -> Iterator[str]:
                 )
                 yield from (f"  {sanitize(order.id)}  {mission(robot, order)}" for order in orders[:SHOWN])
                 if len(orders) > SHOWN:
-                    yield tr("  and {orders} more", orders=len(orders) - SHOWN)
+                    yield tr("  and {count} more", count=len(orders) - SHOWN)
             case SetUpCommand():
                 yield from map(translate, set_up_losses(state, robot, command))
             case PlaceOrder() | PauseRobot() | ResumeRobot():
@@ -76,7 +76,7 @@ def question(state: FleetState, request: Request, found: Sequence[Problem]) -> s
     )
     resumed = {command.robot for command in request.commands if isinstance(command, ResumeRobot)}
     robots = list(dict.fromkeys(command.robot for command in request.commands))
-    more = tr(" and {robots} more", robots=len(robots) - SHOWN) if len(robots) > SHOWN else ""
+    more = tr(" and {count} more", count=len(robots) - SHOWN) if len(robots) > SHOWN else ""
     named = [", ".join(map(sanitize, robots[:SHOWN])) + more] if len(robots) > 1 else []
     elsewhere = [
         name for name in robots if name in resumed and is_paused_elsewhere(state, state.robots[name])

@@ -46,10 +46,10 @@ def console_notes(state: FleetState, read_only: bool, armed: bool, standstill: f
     # A robot whose kind has no pause drives on: beside it not all are paused.
     robots = len(state.robots)
     paused = (
-        tr("ALL {PAUSED}", PAUSED=translate(PAUSED))
+        tr("ALL {paused}", paused=translate(PAUSED))
         if len(stopped) == robots
         else tr(
-            "{stopped} of {robots} {PAUSED}", stopped=len(stopped), robots=robots, PAUSED=translate(PAUSED)
+            "{stopped} of {robots} {paused}", stopped=len(stopped), robots=robots, paused=translate(PAUSED)
         )
     )
     notes = {
@@ -86,7 +86,7 @@ def _age_runs(link: LinkState, now: float, address: str) -> Iterator[Run]:
         if link.phase is Phase.CONNECTING or link.next_try is None:
             yield tr("connecting"), StyleRole.TEXT
         else:
-            yield tr("retry in {value} s", value=f"{max(0.0, link.next_try - now):.0f}"), StyleRole.TEXT
+            yield tr("retry in {seconds} s", seconds=f"{max(0.0, link.next_try - now):.0f}"), StyleRole.TEXT
         return
     late = is_late(link)
     yield "● ", StyleRole.WARN if late else StyleRole.GOOD

@@ -16,11 +16,11 @@ def change_question(rows: Mapping[str, ProgramRow], name: str, verb: str, now: f
     where = tr(" on {host}", host=row.host) if row.host else ""
     lines = [
         tr(
-            "{verb} {name}{where}? It is {value}.",
+            "{verb} {name}{where}? It is {state}.",
             verb=tr(VERBS[verb]),
             name=name,
             where=where,
-            value=tr(row.state(now).value),
+            state=tr(row.state(now).value),
         )
     ]
     lines += consequences(rows, name, verb, now)
@@ -34,7 +34,7 @@ def consequences(rows: Mapping[str, ProgramRow], name: str, verb: str, now: floa
         for need in row.needs:
             if rows[need].state(now) is not ProgramState.RUNNING:
                 yield tr(
-                    "It needs {need}, which is {value}.", need=need, value=tr(rows[need].state(now).value)
+                    "It needs {need}, which is {state}.", need=need, state=tr(rows[need].state(now).value)
                 )
         return
     units = row.status.dependents if row.status is not None else ()
@@ -42,4 +42,4 @@ def consequences(rows: Mapping[str, ProgramRow], name: str, verb: str, now: floa
         yield tr("systemd also {verb}s {some}.", verb=tr(verb), some=some(units))
     for other in rows.values():
         if name in other.needs and other.state(now) not in ENDED:
-            yield tr("{name} needs it, and is {value}.", name=other.name, value=tr(other.state(now).value))
+            yield tr("{name} needs it, and is {state}.", name=other.name, state=tr(other.state(now).value))

@@ -113,8 +113,8 @@ def log_table(name: str, found: Sequence[tuple[int, str]], total: int, wanted: s
         number, text = found[n]
         return Row(number, ((sanitize(text), StyleRole.TEXT),))
 
-    counted = tr(" {found} of {total} lines", found=len(found), total=total) + (
-        tr(", matching {wanted}", wanted=sanitize(wanted)) if wanted else ""
+    counted = tr(" {count} of {total} lines", count=len(found), total=total) + (
+        tr(", matching {text}", text=sanitize(wanted)) if wanted else ""
     )
     title: list[Run] = [(tr("Log of {name}", name=sanitize(name)), StyleRole.TITLE), (counted, StyleRole.DIM)]
     if note:

@@ -103,7 +103,7 @@ def route_section(state: FleetState, robot: Robot) -> PageSection:
     return _titled(
         tr("Route"),
         _route(state, robot),
-        tr("no order begun yet") if robot.orders.open else tr("no order is driven"),
+        tr("no order started yet") if robot.orders.open else tr("no order in process"),
     )
 
 
@@ -118,7 +118,7 @@ def _route(state: FleetState, robot: Robot) -> Iterator[Line]:
         return
     metres = metres_left(robot, order)
     if metres is None or robot.pose is None:
-        yield named(tr("Left"), (tr("no way on the graph is known"), StyleRole.DIM))
+        yield named(tr("Left"), (tr("no path on the graph is known"), StyleRole.DIM))
     elif state.is_old(robot, "pose"):
         seen = tr(
             "{metres} m from its pose {age} ago", metres=f"{metres:.0f}", age=age(state.now - robot.pose.at)
@@ -144,7 +144,7 @@ def _orders(state: FleetState, robot: Robot) -> Iterator[Line]:
     for order in waiting[:LAST]:
         yield named(tr("Waiting"), (whose_mission(state, robot, order), StyleRole.TEXT))
     if len(waiting) > LAST:
-        yield named(tr(""), (tr("and {waiting} more", waiting=len(waiting) - LAST), StyleRole.DIM))
+        yield named(tr(""), (tr("and {count} more", count=len(waiting) - LAST), StyleRole.DIM))
     yield from ended_rows(state, robot)
 
 
@@ -214,7 +214,7 @@ def vehicle_rows(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
             yield named(tr(one.sort.capitalize()), (sanitize(f"{one.name}: {one.state}"), StyleRole.TEXT))
     if robot.master is not None:
         text = Message(
-            "{value}, {age} ago", value=Message(robot.master.value), age=age(state.now - robot.master.at)
+            "{name}, {age} ago", name=Message(robot.master.value), age=age(state.now - robot.master.at)
         )
         yield named(tr("Master"), (sanitize(text), StyleRole.TEXT))
 

@@ -76,7 +76,7 @@ def lane_text(plan: LanePlan, lane: Lane) -> str:
     at = tr("line {line}: {text}", line=block.line, text=block.text) if block is not None else ""
     goes_on = lane_word(lane) in (HELD, PAUSED) and lane.phase is LanePhase.ORDERED
     shows = lane.has_failed or lane.gate is Gate.HELD
-    parts = (at, tr("its order goes on") * goes_on, translate(lane.detail) if shows else "")
+    parts = (at, tr("its order continues") * goes_on, translate(lane.detail) if shows else "")
     return sanitize("; ".join(part for part in parts if part))
 
 

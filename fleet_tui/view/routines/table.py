@@ -109,7 +109,7 @@ def _instruction(one: ShownLane) -> Run:
     if row.problem:
         return translate(sanitize(row.problem)), StyleRole.ALARM
     is_led = row.owner and not any(lane.is_over for lane in row.lanes)
-    by = tr("led by {owner}", owner=translate(row.owner)) if is_led else ""
+    by = tr("run by {owner}", owner=translate(row.owner)) if is_led else ""
     times = ", ".join(tr("every {time}", time=time) for time in row.times)
     return "; ".join(sanitize(part) for part in (by, times) if part), StyleRole.DIM
 

@@ -8,7 +8,7 @@ from fleet_tui.rules.history.activity import activities
 from fleet_tui.situation.facts import DRIVES_ON
 from fleet_tui.situation.motion import action_text, running_action, stands_with_order
 from fleet_tui.situation.robots import obstacle
-from fleet_tui.text.language import Message, counted, tr, translate
+from fleet_tui.text.language import Message, counted, translate
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import age
 from fleet_tui.view.roles import StyleRole
@@ -53,10 +53,20 @@ def count_word(state: FleetState, robot: Robot, does: Activity | None) -> str:
 
 
 def count_text(count: int, word: str) -> str:
-    """Return so many robots of a word: `2 obstacles`, `2 driving`."""
-    if word == OBSTACLE:
-        return translate(counted("{count} obstacle", "{count} obstacles", count))
-    return f"{count} {tr(word)}"
+    """Return the number of robots with a word: `2 obstacles`, `2 driving`."""
+    counts = {
+        OBSTACLE: counted("{count} obstacle", "{count} obstacles", count),
+        Activity.DRIVING.value: counted("{count} driving", "{count} driving", count),
+        Activity.LOADING.value: counted("{count} loading", "{count} loading", count),
+        Activity.WAITING.value: counted("{count} waiting", "{count} waiting", count),
+        Activity.CHARGING.value: counted("{count} charging", "{count} charging", count),
+        Activity.IDLE.value: counted("{count} idle", "{count} idle", count),
+        Activity.PAUSED.value: counted("{count} paused", "{count} paused", count),
+        Activity.BLOCKED.value: counted("{count} blocked", "{count} blocked", count),
+        Activity.OFFLINE.value: counted("{count} offline", "{count} offline", count),
+        UNKNOWN: counted("{count} unknown", "{count} unknown", count),
+    }
+    return translate(counts[word])
 
 
 def doing_role(state: FleetState, robot: Robot) -> StyleRole:

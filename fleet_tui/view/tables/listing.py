@@ -127,7 +127,10 @@ class Listing:
             title.insert(1, (tr(" {marks} marked", marks=len(self.marks)), StyleRole.KEY))
         if len(self._table.rows) > rows and self.cursor is not None and not self._table.title_buttons:
             seen = tr(
-                "{top}-{top2} of {rows}", top=self._top + 1, top2=self._top + rows, rows=len(self._table.rows)
+                "{first}-{last} of {rows}",
+                first=self._top + 1,
+                last=self._top + rows,
+                rows=len(self._table.rows),
             )
             if self._table.has_groups:  # else the heads would read as robots
                 seen = tr("rows {seen}", seen=seen)

@@ -126,7 +126,7 @@ def _ended(state: FleetState, robot: Robot) -> Iterator[Run]:
     """Yield that an order was lost or left the queue, unless an alarm tells which."""
     end = unexplained_end(state, robot)
     if end is not None and not any(failed_command(state, robot)):
-        yield tr("order {value}", value=tr(end.value)), StyleRole.WARN
+        yield tr("order {end}", end=tr(end.value)), StyleRole.WARN
 
 
 def _navigation(state: FleetState, robot: Robot) -> Iterator[Run]:

@@ -75,7 +75,7 @@ def test_edges_are_sent_as_such_robots_have_them() -> None:
     [
         (Vertex("dock", 0.0, 0.0), "vertex 'dock' is not a number: these robots use numeric ids"),
         (Vertex("5000000000", 0.0, 0.0), "id 5000000000 exceeds the robot's 32 bits"),
-        (Vertex("007", 0.0, 0.0), "vertex '007' would come back as 7: write it so"),
+        (Vertex("007", 0.0, 0.0), "vertex '007' would come back as 7: write it that way"),
         (Vertex("1", float("nan"), 0.0), "vertex 1 has no finite position"),
     ],
 )

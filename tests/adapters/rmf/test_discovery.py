@@ -32,8 +32,8 @@ def test_messages_name_robots_of_all_fleets_and_the_levels() -> None:
     assert found.robots == dict.fromkeys(("carrier/c1", "carrier/c2", "tiny/t1"), floors)
     assert found.live_maps == set(floors) and not found.topics
     assert found.notes["topics"] == [
-        "'a/b/c' can't be the name of a robot here: its fleet's name has a /",
-        "'tiny/t 2' can't be the name of a robot here: letters, digits and ./_- only",
+        "'a/b/c' can't be a robot name here: its fleet's name contains a /",
+        "'tiny/t 2' can't be a robot name here: letters, digits and ./_- only",
     ]
 
 

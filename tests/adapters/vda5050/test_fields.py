@@ -29,7 +29,7 @@ def test_what_is_wrong_is_named_with_its_path() -> None:
     assert len(fields.parts(2, "many") or []) == 2
     assert fields.faults == [
         "p.n is 'x', not a number",
-        "l[0] is no object",
+        "l[0] is not an object",
         "f is 1, not true or false",
         "t is 3, not text",
         "big is inf, not a number",

@@ -88,7 +88,7 @@ def test_a_line_guided_vehicle_begins_at_its_last_node() -> None:
 
 @pytest.mark.parametrize(
     ("vertex", "reason"),
-    [("far", "no way from n0 to far on the graph"), ("gone", "position of node gone unknown")],
+    [("far", "no path from n0 to far on the graph"), ("gone", "position of node gone unknown")],
 )
 def test_a_place_without_a_way_is_refused(vertex: str, reason: str) -> None:
     with pytest.raises(CommandError, match=reason):
@@ -145,7 +145,9 @@ def test_a_vehicle_of_version_3_is_paused_and_resumed_but_takes_no_orders(comman
     one = sent(found, command)
     assert one.address == "vda5050/v3/KIT/0001/instantActions" and one.type == "3.0.0"
     assert list(one.message) == ["manufacturer", "serialNumber", "actions"]
-    with pytest.raises(CommandError, match=r"speaks VDA 5050 3\.0\.0, of which no orders are sent"):
+    with pytest.raises(
+        CommandError, match=r"speaks VDA 5050 3\.0\.0: orders in that version are not supported"
+    ):
         sent(found, PlaceOrder("agv", at_vertices("n1")))
 
 
@@ -197,7 +199,7 @@ def test_where_the_factsheet_forbids_a_heading_that_is_said_before_the_order_is_
         return [one for one in problems(found.state, request, Permissions()) if one.check == "no heading"]
 
     (problem,) = headings(Request((TURNED,)))
-    assert problem.text == "agv takes no heading by its factsheet: it turns at the goal as it likes"
+    assert problem.text == "agv accepts no heading (factsheet): it chooses its own at the goal"
     assert not problem.blocks and "theta" not in nodes(sent(found, TURNED))[-1]["nodePosition"]
     assert headings(parse("goto agv 5 2", found.state)) == []
 

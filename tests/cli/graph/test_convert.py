@@ -83,7 +83,10 @@ async def test_what_the_format_refuses_is_not_written(tmp_path: Path) -> None:
     (tmp_path / "a.yaml").write_text(write_text(alone, GraphFormat.NATIVE))
     done = await convert(tmp_path, "a.yaml", "o.geojson")
     assert (done.code, done.out) == (1, "") and not (tmp_path / "o.geojson").exists()
-    assert done.err == "error: no edge: Nav2 loads no such graph\nnot written: geojson refuses the graph\n"
+    assert (
+        done.err
+        == "error: no edge: Nav2 does not load such a graph\nnot written: geojson refuses the graph\n"
+    )
     nowhere = line_graph((0.0, 0.0), (float("nan"), 0.0))
     (tmp_path / "n.yaml").write_text(write_text(nowhere, GraphFormat.NATIVE))
     done = await convert(tmp_path, "n.yaml", "o.geojson")

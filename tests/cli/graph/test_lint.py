@@ -29,7 +29,7 @@ async def test_findings_then_the_counts(tmp_path: Path) -> None:
     assert done.code == 1
     assert done.out.splitlines() == [
         "warning: vertex 0 (Base): robots read a missing id as 0, that is as this vertex",
-        "warning: vertex 2 (yes): a trap, no way back to the others",
+        "warning: vertex 2 (yes): a dead end, no way back to the others",
         "g.yaml: native, 1 floor, 4 vertices, 4 edges, 3 labels: 0 errors, 2 warnings",
     ]
 
@@ -40,7 +40,7 @@ async def test_control_characters_are_shown_as_text(tmp_path: Path) -> None:
     (tmp_path / "g.yaml").write_text(text)
     done = await run(tmp_path, "graph", "lint", "g.yaml")
     assert done.code == 1 and "\x1b" not in done.out + done.err
-    assert "error: a␛[2J: vertex ␛ (␛]0;x): (0, nan) m is no place on a floor" in done.out
+    assert "error: a␛[2J: vertex ␛ (␛]0;x): (0, nan) m is not a place on a floor" in done.out
 
 
 async def test_a_width_that_is_no_number_is_refused(tmp_path: Path) -> None:

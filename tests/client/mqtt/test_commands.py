@@ -248,7 +248,7 @@ async def test_a_pause_goes_out_in_both_ways_to_a_vehicle_whose_version_says_not
             assert fields == [{"actions"}, {"instantActions"}]
             record = await finished(link, store, ORDER)
             assert record.stage is Stage.NOT_SENT
-            assert record.detail == "agv says 'latest' as its version: which messages it reads is unknown"
+            assert record.detail == "agv reports version 'latest', whose messages are unknown here"
 
 
 async def test_a_pause_waits_a_moment_for_what_the_broker_has_kept(
@@ -306,7 +306,7 @@ async def test_one_that_goes_on_charging_gets_no_order(tmp_path: Path) -> None:
             record = await finished(link, store, ORDER)
             assert (record.stage, record.detail) == (
                 Stage.NOT_SENT,
-                "agv goes on charging: it did not stop within 5 s",
+                "agv is still charging: it did not stop within 5 s",
             )
             vehicle.say()  # too late: nothing is sent later
             await store.until(lambda state: state.robots["agv"].vehicle)
@@ -326,7 +326,7 @@ async def test_an_order_that_waits_for_the_end_of_a_charge_is_not_sent_after_a_p
             )
             record = next(one for one in found.commands if one.id == order)
             assert record.stage is Stage.NOT_SENT
-            assert record.detail == "another command came after it was told to stop charging"
+            assert record.detail == "another command came after the command to stop charging"
             vehicle.say(paused=True)
             await store.until(lambda state: state.commands[-1].stage is Stage.CONFIRMED)
             assert vehicle.peer.told_on(f"{BASE}/order") == []
@@ -343,7 +343,7 @@ async def test_an_order_that_waits_for_the_end_of_a_charge_ends_with_the_link(tm
             record = await waiting
             assert (record.stage, record.detail) == (
                 Stage.NOT_SENT,
-                "link lost after it was told to stop charging",
+                "link lost after the command to stop charging",
             )
 
 
@@ -375,5 +375,5 @@ async def test_why_a_vehicle_goes_on_charging_is_told(tmp_path: Path) -> None:
             record = await waiting
             assert (record.stage, record.detail) == (
                 Stage.NOT_SENT,
-                "agv goes on charging: contact welded",
+                "agv is still charging: contact welded",
             )

@@ -112,7 +112,7 @@ async def test_an_order_that_got_no_state_in_time_is_never_sent(site: HeldOrderS
     vehicle, link, store = site
     record = await finished(link, store, ORDER)
     assert record.stage is Stage.NOT_SENT
-    assert record.detail == "no state of agv within 5 s: order again once it has sent one"
+    assert record.detail == "no state from agv within 5 s: repeat the order once it has sent one"
     vehicle.say(batteryState={"batteryCharge": 11.0, "charging": False})
     await store.until(charge_of(11.0))
     vehicle.say(batteryState={"batteryCharge": 12.0, "charging": False})
@@ -248,7 +248,7 @@ async def test_a_closed_console_says_so_of_an_order_that_waited(broker: RealBrok
         order = link.submit(ORDER)
         await vehicle.next("instantActions")
     await until(lambda: record_of(store.state, order).is_decided)
-    assert record_of(store.state, order).detail == "console closed after it was told to stop charging"
+    assert record_of(store.state, order).detail == "console closed after the command to stop charging"
     assert orders(vehicle) == []
 
 

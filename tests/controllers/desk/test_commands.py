@@ -117,7 +117,7 @@ def test_the_menu_names_everybody_and_goes_to_what_they_look_at() -> None:
 def test_a_menu_without_others_or_without_a_desk() -> None:
     desk, commands = made(JOINED)
     commands.menu()
-    assert desk.menus[0].title.endswith("nobody else is there")
+    assert desk.menus[0].title.endswith("no other console")
     desk, commands = made()
     commands.menu()
     assert desk.menus == [] and desk.notices.text == "no desk: set [desk] folder in the configuration"

@@ -34,9 +34,9 @@ async def test_types_in_use_are_offered_else_usual_ones() -> None:
         assert "no vertex is selected" in it.desk.notices.text
         it.mode.selected = "1"
         it.values.choose_type()
-        assert it.desk.menus[0].texts == ["none", "docking_station", "elevator", "another one, typed"]
+        assert it.desk.menus[0].texts == ["none", "docking_station", "elevator", "another one: type it"]
         it.typed("type shelf")
         it.values.choose_type()
-        assert it.desk.menus[1].texts == ["none", "shelf", "another one, typed"]
+        assert it.desk.menus[1].texts == ["none", "shelf", "another one: type it"]
         it.desk.menus[1].choose("none")
         assert it.floor.vertices["1"].type == ""

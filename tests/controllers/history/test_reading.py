@@ -48,7 +48,7 @@ def test_each_page_reads_its_own(path: Path) -> None:
 def test_what_can_not_be_read_is_said(tmp_path: Path, path: Path) -> None:
     assert "can't be read: unable to open" in read_page(tmp_path / "no", "Events", TIME, 20.0).problem
     (tmp_path / "empty.sqlite").touch()
-    assert read_page(tmp_path / "empty.sqlite", "Events", TIME, 20.0).problem == "nothing is written yet"
+    assert read_page(tmp_path / "empty.sqlite", "Events", TIME, 20.0).problem == "nothing recorded yet"
     with closing(sqlite3.connect(path)) as database:
         database.execute("DROP TABLE links")
     assert "can't be read: no such table" in read_page(path, "Events", TIME, 20.0).problem

@@ -51,11 +51,11 @@ def test_a_console_that_can_not_be_left_alone_says_the_command(tmp_path: Path) -
 def test_a_failure_is_said_with_the_command() -> None:
     command = [sys.executable, "-c", "import sys; sys.exit(len(sys.argv) - 1)"]
     assert run_in_terminal(command) == ""
-    assert run_in_terminal([*command, "a b"]) == "it ended with status 1; this says why: fleet-tui 'a b'"
+    assert run_in_terminal([*command, "a b"]) == "exit status 1: fleet-tui 'a b'"
 
 
 def test_ctrl_c_ends_the_command_and_not_the_console() -> None:
     code = "import os, signal; os.kill(os.getppid(), signal.SIGINT); signal.raise_signal(signal.SIGINT)"
     before = signal.getsignal(signal.SIGINT)
-    assert run_in_terminal([sys.executable, "-c", code]).startswith("it ended with status -2")
+    assert run_in_terminal([sys.executable, "-c", code]).startswith("exit status -2")
     assert signal.getsignal(signal.SIGINT) is before

@@ -141,7 +141,7 @@ def test_a_move_means_the_queue_as_it_is_when_it_is_chosen() -> None:
     assert isinstance(event, OrderMoved) and event.before == "k2"
     desk.store.apply(CommandAdvanced(2, Stage.CANCELLED, T0 + 6))
     desk.menus[0].choose("Move up")
-    assert desk.notices.text == "order k3 is there already, or does not wait here any more"
+    assert desk.notices.text == "order k3 is already there, or no longer waits here"
     assert len(desk.backend.events) == 1
 
 

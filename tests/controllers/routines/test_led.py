@@ -68,7 +68,7 @@ def test_a_console_without_permission_starts_nothing_and_lets_nothing_follow(
 def test_robots_that_another_one_leads_are_left_to_it(tmp_path: Path, file: RoutineFile) -> None:
     desk = LedDesk(tmp_path)
     RobotLocks(desk.place.state, {"robot_0": "ws://site:9090"}, "ana (process 3)").claim()
-    with pytest.raises(RoutineError, match="robot_0 is led by ana"):
+    with pytest.raises(RoutineError, match="robot_0 is run by ana"):
         desk.led.start(file, False)
     assert desk.led.runs == {}
 

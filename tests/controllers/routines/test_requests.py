@@ -71,14 +71,14 @@ def test_what_runs_here_can_be_paused_resumed_and_stopped_for_one_robot_or_all(d
     menu = desk.menu("robot_1")
     assert desk.opened[-1][0] == "day robot_1: waiting\nline 5: wait 5 min"
     assert [*menu] == [
-        "Pause: running orders go on, nothing follows",
-        "Stop: running orders go on",
+        "Pause: running orders continue, nothing new starts",
+        "Stop: running orders continue",
         "Check: problems or timeline",
     ]
-    menu["Pause: running orders go on, nothing follows"]()
+    menu["Pause: running orders continue, nothing new starts"]()
     assert [*desk.menu("robot_1")][:2] == ["Resume", "Step: one instruction"]
     assert "Resume" in desk.menu() and "Resume" not in desk.menu("robot_0")
-    desk.menu()["Stop: running orders go on"]()
+    desk.menu()["Stop: running orders continue"]()
     assert [*desk.menu()] == ["Start", "Check: problems or timeline"]
     assert desk.opened[-1][0] == "day: stopped"
 
@@ -86,13 +86,13 @@ def test_what_runs_here_can_be_paused_resumed_and_stopped_for_one_robot_or_all(d
 def test_one_that_another_process_leads_can_only_be_checked(desk: RequestDesk) -> None:
     desk.start()
     other = RequestDesk(desk.place.folder)
-    assert [*other.menu()] == ["Check: problems or timeline"] and "led by" in other.opened[-1][0]
+    assert [*other.menu()] == ["Check: problems or timeline"] and "run by" in other.opened[-1][0]
 
 
 def test_robots_that_are_led_elsewhere_and_problems_are_told(desk: RequestDesk) -> None:
     RobotLocks(desk.place.state, {"robot_1": "ws://site:9090"}, "ana (process 3)").claim()
     desk.start()
-    assert "day: not started: robot_1 is led by ana (process 3)" in desk.notices.text
+    assert "day: not started: robot_1 is run by ana (process 3)" in desk.notices.text
     desk.place.folder.joinpath("day.routine").write_text("for robot_0\ngo\nend\n")
     desk.menu()["Start"]()
     desk.menu()["Check: problems or timeline"]()

@@ -148,4 +148,4 @@ def test_a_fleet_without_poses_is_one_alarm() -> None:
         state = reduced(state, link_up(T0), *speak[second * 6 : second * 6 + 6], tick(T0 + second))
     (one,) = state.alarms
     assert one.key == (LINK, "many localisation")
-    assert one.text == "6 robots unsure of their position: robot_0, robot_1, robot_2, …"
+    assert one.text == "6 robots with an uncertain position: robot_0, robot_1, robot_2, …"

@@ -53,7 +53,7 @@ def test_a_low_battery_is_no_alarm_at_a_charger_and_one_beside_it() -> None:
 def test_a_battery_still_low_after_long_charging_is_an_alarm() -> None:
     (alarm,) = standing(0.0, seconds=CHARGES_WITHIN + 60).alarms
     assert alarm.text == "battery 12 % after 31 min at the charger"
-    assert action_of(alarm.condition) == "Look at the robot and its charger"
+    assert action_of(alarm.condition) == "Check the robot and its charger"
 
 
 def test_a_robot_on_its_way_to_a_charger_needs_no_order() -> None:
@@ -131,7 +131,7 @@ def test_a_vehicle_at_a_charger_that_says_that_it_does_not_charge_is_idle_and_ne
     idle = vehicle_at_charger(False)
     assert activity(idle.state, idle.agv) is Activity.IDLE
     (alarm,) = (one for one in idle.state.alarms if one.condition.kind == "battery")
-    assert action_of(alarm.condition) == "Look at the robot and its charger"
+    assert action_of(alarm.condition) == "Check the robot and its charger"
     for said in (True, None):
         found = vehicle_at_charger(said)
         assert activity(found.state, found.agv) is Activity.CHARGING and "battery" not in found.alarms

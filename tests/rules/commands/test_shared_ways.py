@@ -31,5 +31,5 @@ def warned(goal: str, *left: str) -> list[str]:
 
 
 def test_an_edge_that_another_vehicle_has_left_is_asked_about() -> None:
-    assert warned("n2", "n1") == ["the way of agv shares an edge with other: no traffic control here"]
+    assert warned("n2", "n1") == ["the route of agv shares an edge with other: no traffic control here"]
     assert warned("n3", "n1") == [] and warned("n2") == []

@@ -30,7 +30,7 @@ def test_the_sample() -> None:
     found = lint(sample(), LintInputs(target=GraphFormat.NATIVE))
     assert [one.text for one in found] == [
         "vertex 0 (Base): robots read a missing id as 0, that is as this vertex",
-        "vertex 2 (yes): a trap, no way back to the others",
+        "vertex 2 (yes): a dead end, no way back to the others",
     ]
 
 

@@ -39,7 +39,7 @@ def test_crossings_but_not_at_a_common_vertex() -> None:
 
 def test_doubled_edges() -> None:
     base = floor((0, 0), (1, 0), edges=((0, 1), (1, 0)))
-    assert texts(base) == ["edge e1 doubles edge e0 from 1 to 0"]
+    assert texts(base) == ["edge e1 duplicates edge e0 from 1 to 0"]
     one_way = {id_: DocumentEdge(id_, a, b, False) for id_, a, b in (("1", "0", "1"), ("2", "1", "0"))}
     assert texts(DocumentFloor("f", base.vertices, one_way)) == []
 

@@ -31,7 +31,7 @@ def test_rmf() -> None:
     }
     document = GraphDocument("s", floors, (Lift("A", (("a", "1"), ("b", "1"), ("b", "2"))),))
     assert texts(document, GraphFormat.RMF) == [
-        "vertex 1: label 'Base' is taken on a; RMF has one for a site",
+        "vertex 1: label 'Base' is taken on a; RMF allows one per site",
         "lift A: its stops on a and b are 0.20 m apart",
         "lift A: its stops on b and b are 0.20 m apart",
         "lift A: two stops on b",
@@ -40,11 +40,13 @@ def test_rmf() -> None:
 
 
 def test_nav2() -> None:
-    assert texts(of_floor(DocumentFloor("f")), GraphFormat.GEOJSON) == ["no vertex: Nav2 loads no such graph"]
+    assert texts(of_floor(DocumentFloor("f")), GraphFormat.GEOJSON) == [
+        "no vertex: Nav2 does not load such a graph"
+    ]
     one = floor("f", DocumentVertex("65536", 0.0, 0.0))
     assert texts(of_floor(one), GraphFormat.GEOJSON) == [
-        "no edge: Nav2 loads no such graph",
-        "vertex 65536: id over 65535, which Nav2's messages can't name",
+        "no edge: Nav2 does not load such a graph",
+        "vertex 65536: id over 65535, too large for Nav2's messages",
     ]
     two = DocumentFloor("f", one.vertices, {"9" * 30: DocumentEdge("9" * 30, "65536", "65536")})
     assert len(texts(of_floor(two), GraphFormat.GEOJSON)) == 2
@@ -52,7 +54,7 @@ def test_nav2() -> None:
 
 def test_lif() -> None:
     assert texts(sample(), GraphFormat.LIF) == [
-        "no vehicle type at 4 vertices and 4 edges: nothing may use them"
+        "no vehicle type at 4 vertices and 4 edges: no vehicle may use them"
     ]
     assert texts(sample(), GraphFormat.LIF, "agv") == []
     assert texts(again(sample(), GraphFormat.LIF), GraphFormat.LIF) == []

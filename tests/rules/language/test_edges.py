@@ -20,7 +20,7 @@ def test_an_edge_is_named_by_labels_or_ids_in_any_direction() -> None:
 @pytest.mark.parametrize(
     ("start", "end", "said"),
     [
-        ("Base", "id=3", "no edge Base - id=3 on floor_0: Base is joined with Hall"),
+        ("Base", "id=3", "no edge Base - id=3 on floor_0: Base connects to Hall"),
         ("Bsae", "Hall", "no place 'Bsae' on floor_0 (did you mean Base?)"),
         ("Shop", "Hall", "'Shop' is ambiguous: use id=3 or id=4"),
         ("9", "Hall", "no place '9' on floor_0"),

@@ -89,7 +89,7 @@ def test_the_order_leads_from_the_robot_to_the_charger() -> None:
         (reduced(fleet(), graph_of({"1": CHARGER})), f"the place of {R0} is not known"),
         (at(4.0, graph_of({})), f"no graph shows a charger on {F0}"),
         (at(0.5, graph_of({"1": CHARGER, "2": Vertex("2", 5.0, 0.0)})), f"{R0} is at a charger"),
-        (at(4.0, AWAY), f"no way on the graph leads {R0} to a charger"),
+        (at(4.0, AWAY), f"no path on the graph leads {R0} to a charger"),
     ],
 )
 def test_why_there_is_none_is_said(state: FleetState, reason: str) -> None:

@@ -59,4 +59,4 @@ def test_another_way_that_is_no_longer_is_no_detour() -> None:
     state = fleet_with(pose(T0, 0.0, 0.0), queue(T0, (1, 1, 5, "W"), current=1))
     (found,) = cut_orders(state, ends_of(F0, "2", "3"))
     same = replace(found, around=found.metres)
-    assert (found.text[:8], same.text) == ("detour +", "another way, as long")
+    assert (found.text[:8], same.text) == ("detour +", "another route, as long")

@@ -92,7 +92,7 @@ def test_a_place_that_no_way_leads_to_is_said() -> None:
     route = draft_route(robot, draft(place(1), place(9)))
     assert route is not None
     assert route.metres is None
-    assert route.text == "no way on the graph"
+    assert route.text == "no path on the graph"
 
 
 def test_the_same_place_twice_is_no_way_at_all() -> None:

@@ -44,7 +44,7 @@ def first(**fields: Any) -> Reason:
         (
             {"orderId": "o", "nodeStates": [node("b", 2, released=False)]},
             "waits for clearance",
-            "at the end of what is released, 1 node of its order not released",
+            "at the end of the released route, 1 node of its order not released",
         ),
         (
             {"orderId": "o", "nodeStates": [node("b", 2)], "newBaseRequest": True},
@@ -63,7 +63,7 @@ def first(**fields: Any) -> Reason:
         (
             {"zoneRequests": [zone("z3", "REVOKED", "REPLANNING")], "edgeRequests": [corridor("e4")]},
             "waits for clearance",
-            "it asks its master control for a new way in zone z3 (revoked), the corridor of edge e4",
+            "it asks its master control for a new route in zone z3 (revoked), the corridor of edge e4",
         ),
         ({"errors": [error("FATAL", text="hot")]}, "motorError", "fatal motorError: hot"),
         (
@@ -174,4 +174,4 @@ def test_one_that_hibernates_is_offline_for_that_reason_and_is_to_be_woken() -> 
     assert "offline 60 s (hibernating)" in found.name
     (alarm,) = (one for one in site.state.alarms if one.condition.kind == "offline")
     assert alarm.text == "offline 60 s (hibernating)"
-    assert action_of(alarm.condition).startswith("Wake it by its master control")
+    assert action_of(alarm.condition).startswith("Wake it through its master control")

@@ -47,7 +47,7 @@ def test_places_and_lines_are_those_of_the_map() -> None:
     found = signs(Drawing.BRAILLE)
     assert found["a docking station"] == "⌂ Dock" and found["an elevator"] == "↕ Lift"
     assert found["a one-way edge"] != found["an edge of the route graph"]
-    assert found["the way of the selected robot's order"] != found["the way of its next orders"]
+    assert found["the route of the selected robot's order"] != found["the route of its next orders"]
 
 
 @pytest.mark.parametrize(("glyph", "meaning"), [("⌂", "docking"), ("▶", "cargo"), ("≈", "own map")])

@@ -119,7 +119,7 @@ def test_why_offers_no_key_that_the_kind_does_not_accept() -> None:
 def test_without_a_cause_it_says_once_how_long_and_what_to_do() -> None:
     said = text(driving(then="stuck:robot_0").run(60))
     assert "▶ 1. cause unknown\n" in said and said.count(" for ") == 1
-    assert "    Go and look at it: its way, wheels, emergency stop, manual mode\n" in said
+    assert "    Go and check its path, wheels, emergency stop and manual mode\n" in said
     assert said.index("x\u00a0cancel") < said.index("X\u00a0clear")
 
 

@@ -80,7 +80,7 @@ def test_the_route_has_the_stops_and_the_metres_that_are_left() -> None:
     old = reduced(driving, battery(T0 + 30), tick(T0 + 30))
     assert "2 m from its pose 30 s ago" in text(route_section(old, old.robots[R0]))
     idle = received()
-    assert "no order is driven" in text(route_section(idle, idle.robots[R0]))
+    assert "no order in process" in text(route_section(idle, idle.robots[R0]))
 
 
 def test_orders_that_wait_are_listed_up_to_a_few_and_an_old_queue_is_marked() -> None:

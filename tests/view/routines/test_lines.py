@@ -52,7 +52,7 @@ def test_a_timeline_has_each_robot_with_its_times() -> None:
         (
             Lane("r", phase=LanePhase.ORDERED, gate=Gate.HELD, detail=Message("no link")),
             "held",
-            "line 2: go Base; its order goes on; no link",
+            "line 2: go Base; its order continues; no link",
         ),
         (Lane("r", (Position(Part.FAILURE),), detail=Message("lost")), "running", "line 5: go Store; lost"),
         (Lane("r", phase=LanePhase.DONE, detail=Message("old")), "done", ""),

@@ -32,7 +32,7 @@ def test_without_a_routine_it_tells_where_to_write_one() -> None:
 def test_a_run_has_a_row_for_each_robot() -> None:
     table = shown(RoutineRow("day", ("weekday 06:30",), PLANS, RUNS, 7.0, Message("ana (process 3)")))
     day, one, other = lines(table)
-    assert day.split(maxsplit=4) == ["day", "△", "held", "7", "led by ana (process 3); every weekday 06:30"]
+    assert day.split(maxsplit=4) == ["day", "△", "held", "7", "run by ana (process 3); every weekday 06:30"]
     assert one.split(maxsplit=4) == ["robot_0", "●", "running", "0", "line 2: go Base"]
     assert other.split()[:3] == ["robot_1", "△", "held"] and "no link" in other and "\x1b" not in other
     assert [row.key for row in table.rows] == ["day", ("day", "robot_0"), ("day", "robot_1")]

@@ -113,6 +113,16 @@ def test_several_are_counted_in_the_plural() -> None:
     assert [count_text(n, OBSTACLE) for n in (1, 2)] == ["1 obstacle", "2 obstacles"]
 
 
+def test_the_count_of_robots_has_the_number_of_its_language() -> None:
+    use_language("de")
+    try:
+        texts = [count_text(count, Activity.DRIVING.value) for count in (1, 2)]
+    finally:
+        use_language(ENGLISH)
+    assert texts == ["1 fährt", "2 fahren"]
+    assert [count_text(2, does.value) for does in Activity] == [f"2 {does.value}" for does in Activity]
+
+
 def test_seconds_are_told_of_who_stands_with_an_order_from_a_few_on() -> None:
     state = standing()
     robot = state.robots[R0]

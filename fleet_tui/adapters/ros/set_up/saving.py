@@ -28,9 +28,9 @@ def save_request(names: Names, command: StoreMap, robot: Robot) -> Mapping[str, 
     for what, value in given.items():
         if f"{{{what}}}" in str(request):
             text = Message(
-                "{what} {value} is no name for a map: up to 64 letters, digits, _ and -",
+                "{what} {map} is not a map name: up to 64 letters, digits, _ and -",
                 what=what,
-                value=f"{value!r}",
+                map=f"{value!r}",
             )
             raise CommandError(text)
     return request

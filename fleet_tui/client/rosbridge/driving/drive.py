@@ -48,9 +48,9 @@ async def twist_type(calls: Calls, topic: str) -> str:
     if is_stamped(type_) is None:
         raise CommandError(
             Message(
-                "{topic} has type {truncate}, not {twist} or {stamped_twist}",
+                "{topic} has type {actual}, not {twist} or {stamped_twist}",
                 topic=topic,
-                truncate=truncate(type_),
+                actual=truncate(type_),
                 twist=TWIST,
                 stamped_twist=STAMPED_TWIST,
             )
@@ -170,8 +170,8 @@ class Drive:
         self._calls.on_lost()
         self._end(
             Message(
-                "{value}: {reason}",
-                value=Message("link lost") if self._type else Message("no link"),
+                "{what}: {reason}",
+                what=Message("link lost") if self._type else Message("no link"),
                 reason=reason,
             )
         )

@@ -43,9 +43,9 @@ def _check_type(one: Publication | ServiceCall, found: object) -> None:
     if isinstance(found, str) and found and not same_type(found, one.type):
         raise CommandError(
             Message(
-                "{address} has type {found}, not {type}",
+                "{address} has type {actual}, not {type}",
                 address=one.address,
-                found=found[:100],
+                actual=found[:100],
                 type=one.type,
             )
         )

@@ -61,7 +61,7 @@ def no_place(state: FleetState, robot: Robot, command: Command) -> Iterator[Prob
             yield Problem(
                 "no place",
                 Message(
-                    "({x}, {y}, {yaw}) is no pose on a map",
+                    "({x}, {y}, {yaw}) is not a pose on a map",
                     x=f"{pose.x:g}",
                     y=f"{pose.y:g}",
                     yaw=f"{pose.yaw:g}",

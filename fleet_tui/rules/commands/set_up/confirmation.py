@@ -168,10 +168,10 @@ def instead_of_set_up(robot: Robot, record: CommandRecord, command: SetUp) -> st
         case CancelGoal():
             return Message("the robot was not seen to stop")
         case StartCharging():
-            return Message("the robot does not say that it charges")
+            return Message("the robot does not report that it is charging")
         case SetMapping():
             return (
-                Message("the robot reports {value}", value=Message(robot.mode.value))
+                Message("the robot reports {mode}", mode=Message(robot.mode.value))
                 if robot.mode
                 else Message("no mode received")
             )

@@ -19,4 +19,4 @@ def mapping_text(robot: Robot) -> Message:
     """Return `mapping`, `mapping (by us)` if only this console's own command is known, empty for neither."""
     if robot.mode is not None:
         return MAPPING_MODE if robot.mode.value == MAPPING_MODE else EMPTY
-    return Message("{MAPPING_MODE} (by us)", MAPPING_MODE=MAPPING_MODE) if robot.mapping_by_us else EMPTY
+    return Message("{mode} (by us)", mode=MAPPING_MODE) if robot.mapping_by_us else EMPTY

@@ -56,9 +56,9 @@ def _facts(facts: OwnFacts) -> Iterator[tuple[str, str, StyleRole]]:
     memory = tr("not available on this system")
     if facts.memory is not None and facts.peak is not None:
         memory = tr(
-            "{size_text}, peak {size_text2}",
-            size_text=size_text(facts.memory),
-            size_text2=size_text(facts.peak),
+            "{size}, peak {peak}",
+            size=size_text(facts.memory),
+            peak=size_text(facts.peak),
         )
     yield N_("memory"), memory, StyleRole.TEXT
     yield (
@@ -77,7 +77,7 @@ def console_table(facts: OwnFacts, log: Sequence[str], wanted: str) -> Table:
     lines = [line for line in reversed(log) if sought in line.casefold()]
     note = tr("log, newest first: {count} of {lines} lines", count=len(lines), lines=len(log))
     if wanted:
-        note += tr(", matching {wanted}", wanted=wanted)
+        note += tr(", matching {text}", text=wanted)
     above.append(Row("log", ((f"── {sanitize(note)}", StyleRole.DIM),)))
 
     def row(n: int) -> Row:

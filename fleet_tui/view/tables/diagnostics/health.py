@@ -47,9 +47,9 @@ def health_table(
         key=lambda entry: (_BY_LEVEL.get(entry[1].level, 0), natural(entry[1].name)),
     )
     levels = Counter(_look(part.level)[0][2:] for _, part in parts if part.level != Health.OK)
-    note = tr(" /diagnostics  {found} parts", found=len(parts))
+    note = tr(" /diagnostics  {count} parts", count=len(parts))
     note += "".join(f", {count} {word}" for word, count in sorted(levels.items()))
-    note += tr(", matching {wanted}", wanted=sanitize(wanted)) if wanted else ""
+    note += tr(", matching {text}", text=sanitize(wanted)) if wanted else ""
     return table_of(
         ((tr("Robot diagnostics"), StyleRole.TITLE), (note, StyleRole.DIM), *down(links)),
         _columns(now),

@@ -112,7 +112,7 @@ def _state(link: LinkState, now: float) -> Run:
         return tr("● up for {lasted}", lasted=lasted), StyleRole.GOOD
     trying = tr("connecting")
     if link.phase is Phase.WAITING and link.next_try is not None:
-        trying = tr("retry in {value} s", value=f"{max(0.0, link.next_try - now):.0f}")
+        trying = tr("retry in {seconds} s", seconds=f"{max(0.0, link.next_try - now):.0f}")
     why = f": {translate(sanitize(link.reason))}" if link.reason else ""
     return tr("○ no link for {lasted}{why}, {trying}", lasted=lasted, why=why, trying=trying), StyleRole.ALARM
 
@@ -149,9 +149,9 @@ def _round_trip(counter: LinkCounter, now: float) -> Iterator[Run]:
             StyleRole.WARN if late else StyleRole.TEXT,
         )
         spread = tr(
-            "{milliseconds} to {milliseconds2}",
-            milliseconds=milliseconds(min(took)),
-            milliseconds2=milliseconds(max(took)),
+            "{least} to {most}",
+            least=milliseconds(min(took)),
+            most=milliseconds(max(took)),
         )
         mean = milliseconds(sum(took) / len(took))
         jitter = tr(", jitter {milliseconds}", milliseconds=milliseconds(trips.jitter)) if took[1:] else ""

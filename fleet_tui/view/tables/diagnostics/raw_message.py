@@ -41,7 +41,7 @@ def raw_lines(raw: Raw) -> tuple[str, ...]:
     return (
         shown
         if len(shown) <= MOST_LINES
-        else (*shown[:-1], tr("… first {MOST_LINES} lines only", MOST_LINES=f"{MOST_LINES:,}"))
+        else (*shown[:-1], tr("… first {count} lines only", count=f"{MOST_LINES:,}"))
     )
 
 
@@ -49,11 +49,11 @@ def copied(raw: Raw) -> tuple[str, str]:
     """Return the text to copy of a message, and its description: complete, whatever the view leaves out."""
     text = "\n".join(sanitize(line) for line in _whole(raw).split("\n"))
     if len(text) <= LONGEST_COPY:
-        return text, tr("{text} characters", text=f"{len(text):,}")
+        return text, tr("{count} characters", count=f"{len(text):,}")
     return text[:LONGEST_COPY], tr(
-        "the first {LONGEST_COPY} of {text} characters",
-        LONGEST_COPY=f"{LONGEST_COPY:,}",
-        text=f"{len(text):,}",
+        "the first {limit} of {total} characters",
+        limit=f"{LONGEST_COPY:,}",
+        total=f"{len(text):,}",
     )
 
 
@@ -95,9 +95,9 @@ def _published(raw: Raw) -> Any:
 def _plain(raw: Raw) -> Iterator[str]:
     if not raw.is_whole:
         yield tr(
-            "… {size_text}, only the first {size_text2} kept",
-            size_text=size_text(raw.size),
-            size_text2=size_text(len(raw.payload)),
+            "… {size}, only the first {kept} kept",
+            size=size_text(raw.size),
+            kept=size_text(len(raw.payload)),
         )
     if raw.is_binary:
         for start in range(0, len(raw.payload), BINARY_LINE):
@@ -131,7 +131,7 @@ def _value_lines(value: Any, depth: int, before: str = "", after: str = "") -> I
         yield from _value_lines(item, depth + 1, name, "," if n < len(parts) or left_out else "")
     if left_out:
         yield tr(
-            "{pad}  … {left_out} more of {value}", pad=pad, left_out=f"{left_out:,}", value=f"{len(value):,}"
+            "{pad}  … {left_out} more of {total}", pad=pad, left_out=f"{left_out:,}", total=f"{len(value):,}"
         )
     yield f"{pad}{closing}{after}"
 
@@ -144,10 +144,10 @@ def _inline(value: Any) -> str:
         left_out = len(value) - SHOWN_ITEMS
         return (
             tr(
-                "[{shown}, … {left_out} more of {value}]",
+                "[{shown}, … {left_out} more of {total}]",
                 shown=translate(shown),
                 left_out=f"{left_out:,}",
-                value=f"{len(value):,}",
+                total=f"{len(value):,}",
             )
             if left_out > 0
             else f"[{shown}]"
@@ -159,9 +159,9 @@ def _inline(value: Any) -> str:
 
 def _scalar(value: Any) -> str:
     if isinstance(value, cbor2.CBORTag) and isinstance(value.value, bytes):
-        return tr("… {value} bytes, CBOR tag {tag}", value=f"{len(value.value):,}", tag=value.tag)
+        return tr("… {count} bytes, CBOR tag {tag}", count=f"{len(value.value):,}", tag=value.tag)
     if isinstance(value, bytes):
-        return tr("… {value} bytes", value=f"{len(value):,}")
+        return tr("… {count} bytes", count=f"{len(value):,}")
     if isinstance(value, str):
         return json.dumps(truncate(value, LONGEST_STRING), ensure_ascii=False)
     if value is None or isinstance(value, bool):

@@ -71,7 +71,7 @@ def _wrapped(line: LogLine, width: int) -> Iterator[str]:
 
 def _filters(least: Severity, wanted: str) -> str:
     worse = "" if least is Severity.FATAL else tr(" and worse")
-    return f"{least.name}{worse}" + (tr(", matching {wanted}", wanted=sanitize(wanted)) if wanted else "")
+    return f"{least.name}{worse}" + (tr(", matching {text}", text=sanitize(wanted)) if wanted else "")
 
 
 def robot_log_table(
@@ -103,7 +103,7 @@ def robot_log_table(
     note = _filters(least, wanted) + (
         tr(", last {ago}", ago=translate(ago(_wall(lines[-1], offset), state.wall))) if lines else ""
     )
-    counts = tr(" /rosout  {found} of {lines} lines, {note}", found=len(found), lines=len(lines), note=note)
+    counts = tr(" /rosout  {count} of {lines} lines, {note}", count=len(found), lines=len(lines), note=note)
     title = (tr("Robot log"), StyleRole.TITLE), (counts, StyleRole.DIM), *down(links)
     empty = tr("no matching line") if lines else translate(NOTHING)
     return table_of(title, columns, found, id, width or UNBOUNDED, below=whole, empty=empty, has_head=False)

@@ -92,8 +92,8 @@ def topic_table(
     late = tr("▲ late")
     topics.sort(key=lambda one: (_FIRST.get(one.state[1], len(_FIRST)), one.state[0] == late))
     trouble = sum(one.state[1] in (StyleRole.WARN, StyleRole.ALARM) for one in topics)
-    note = tr(" {found}, {trouble} with problems", found=len(topics), trouble=trouble) + (
-        tr(", matching {wanted}", wanted=sanitize(wanted)) if wanted else ""
+    note = tr(" {topics}, {trouble} with problems", topics=len(topics), trouble=trouble) + (
+        tr(", matching {text}", text=sanitize(wanted)) if wanted else ""
     )
     title = (tr("Topics"), StyleRole.TITLE), (note, StyleRole.DIM), *down(links)
     if any(is_late(link) for link, _ in links):
