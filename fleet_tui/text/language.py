@@ -9,6 +9,9 @@ from gettext import NullTranslations
 from typing import Self
 
 
+_PLAIN = str, int, float
+
+
 class Message(str):
     """A text of the console: as a string its English. It is translated by its `id`, which is the English with
     places for the values, `no link for {age}`. Values that are messages are translated, too; all others stay
@@ -25,11 +28,14 @@ class Message(str):
 
     @classmethod
     def _made(cls, id: str, many: str, values: Mapping[str, object], english: str) -> Self:
-        # A path or an exception is text from outside as well: `sanitize` must see it.
-        values = {
-            name: value if isinstance(value, str | int | float) else text_of(value)
-            for name, value in values.items()
-        }
+        for value in values.values():
+            if not isinstance(value, _PLAIN):
+                # A path or an exception is text from outside as well: `sanitize` must see it.
+                values = {
+                    name: value if isinstance(value, _PLAIN) else text_of(value)
+                    for name, value in values.items()
+                }
+                break
         made = super().__new__(cls, english.format_map(values) if values else english)
         made.id, made.many, made.values = id, many, values
         return made
@@ -81,6 +87,9 @@ N_ = str
 
 def joined(separator: str, texts: Iterable[str]) -> Message:
     """Return texts as one."""
+    texts = list(texts)
+    if not any(isinstance(text, Message) for text in texts):
+        return verbatim(separator.join(texts))
     parts = {f"part{n}": text for n, text in enumerate(texts)}
     return Message(separator.join(f"{{{name}}}" for name in parts), **parts)
 
@@ -110,6 +119,8 @@ def speak(translations: NullTranslations) -> None:
 
 def translate(message: Message) -> str:
     """Return a text of the console in the language of its user."""
+    if type(_translations) is NullTranslations:
+        return str(message)
     if not isinstance(message, Message) or not message.id:
         return message  # what `replace` put there, unchecked; and gettext has its header at the empty text
     if message.many:
@@ -129,4 +140,6 @@ def translate(message: Message) -> str:
 
 def tr(id: str, /, **values: object) -> str:
     """Return the text of this id, which is written here, in the language of its user."""
+    if type(_translations) is NullTranslations:
+        return id.format_map(values) if values else id
     return translate(Message(id, **values))
