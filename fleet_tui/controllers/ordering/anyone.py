@@ -32,10 +32,10 @@ class AnyoneOrders:
         """Ask whether the nearest idle robot shall visit the places, or any that a dispatcher chooses; `sent`
         is called when it was sent. Returns the reason not to, empty while the question is open."""
         if (request := to_any(self._store.state, places)) is None:
-            return self._propose(places, sent, "")
+            return self._propose(places, sent, EMPTY)
         return self._dispatch.give(request, sent, asks=True)
 
-    def _propose(self, places: Sequence[Place], sent: Callable[[], None], before: str) -> Message:
+    def _propose(self, places: Sequence[Place], sent: Callable[[], None], before: Message) -> Message:
         """Ask about the nearest robot; `before` is the reason why that is a second question."""
         found = nearest(self._store.state, places)
         if found is None:
@@ -50,12 +50,13 @@ class AnyoneOrders:
     def _request(self, found: Nearest) -> Request:
         return order_of(self._store.state.robots[found.robot], found.places)
 
-    def _question(self, found: Nearest, before: str) -> str:
+    def _question(self, found: Nearest, before: Message) -> Message:
         state = self._store.state
-        text = f"{request_text(state, self._request(found))}?\nNearest idle, {found.metres:.0f} m away"
+        asked = Message("{request}?", request=request_text(state, self._request(found)))
+        nearest = Message("Nearest idle, {metres} m away", metres=f"{found.metres:.0f}")
         reason = why_not(state, state.robots[found.robot])
-        now = Message("It is now {reason}: Yes proposes the next one", reason=reason) if reason else ""
-        return "\n".join(filter(None, (before, text, now)))
+        now = Message("It is now {reason}: Yes proposes the next one", reason=reason) if reason else EMPTY
+        return joined("\n", filter(None, (before, asked, nearest, now)))
 
     def _send(self, found: Nearest, places: Sequence[Place], sent: Callable[[], None]) -> None:
         """Send the confirmed order; propose another robot if this one is not idle any more."""

@@ -6,20 +6,21 @@ from collections.abc import Sequence
 from fleet_tui.model.commands import Command, CommandRecord, PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.rules.commands.pauses import FOREIGN
-from fleet_tui.text.language import Message, joined
+from fleet_tui.text.language import EMPTY, Message, joined
 from fleet_tui.text.limits import some
 
 TOGETHER = 0.3
 """Commands of one kind less than this many seconds apart are one request."""
 
 _WORDS = {
-    Stage.CONFIRMED: "confirmed",
-    Stage.LATE: "confirmed",
-    Stage.UNVERIFIABLE: "accepted",
-    Stage.REFUSED: "refused",
-    Stage.NOT_SENT: "not sent",
+    Stage.CONFIRMED: Message("confirmed"),
+    Stage.LATE: Message("confirmed"),
+    Stage.UNVERIFIABLE: Message("accepted"),
+    Stage.REFUSED: Message("refused"),
+    Stage.NOT_SENT: Message("not sent"),
 }
-_WELL = ("confirmed", "accepted")
+_WELL = (Message("confirmed"), Message("accepted"))
+_OPEN = Message("open")
 
 
 def batches(records: Sequence[CommandRecord]) -> list[list[CommandRecord]]:
@@ -67,10 +68,10 @@ def batch_name(state: FleetState, commands: Sequence[Command]) -> Message:
 def summary(state: FleetState, batch: Sequence[CommandRecord]) -> tuple[Message, Message]:
     """Summarise a batch: `pause all` and `98 confirmed, 2 open (robot_5, robot_9)`. Open ones may still be
     carried out, or were, unseen."""
-    found: dict[str, list[CommandRecord]] = defaultdict(list)
+    found: dict[Message, list[CommandRecord]] = defaultdict(list)
     for record in batch:
-        found[_WORDS.get(record.stage, "open")].append(record)
-    words = dict.fromkeys([*_WELL, *_WORDS.values(), "open"])
+        found[_WORDS.get(record.stage, _OPEN)].append(record)
+    words = dict.fromkeys([*_WELL, *_WORDS.values(), _OPEN])
     parts = [_part(word, found[word]) for word in words if word in found]
     foreign = [record.command.robot for record in batch if record.detail.startswith(FOREIGN)]
     if foreign:
@@ -80,10 +81,12 @@ def summary(state: FleetState, batch: Sequence[CommandRecord]) -> tuple[Message,
     return batch_name(state, [record.command for record in batch]), joined(", ", parts)
 
 
-def _part(word: str, records: Sequence[CommandRecord]) -> str:
+def _part(word: Message, records: Sequence[CommandRecord]) -> Message:
+    counted = Message("{count} {word}", count=len(records), word=word)
     if word in _WELL:
-        return f"{len(records)} {word}"
+        return counted
     robots = list(dict.fromkeys(record.command.robot for record in records))
     reasons = {record.detail for record in records}
-    reason = f": {reasons.pop()}" if len(reasons) == 1 and word != "open" else ""
-    return f"{len(records)} {word} ({some(robots)}){reason.rstrip(': ')}"
+    reason = reasons.pop() if len(reasons) == 1 and word != _OPEN else EMPTY
+    part = Message("{counted} ({robots})", counted=counted, robots=some(robots))
+    return joined(": ", filter(None, (part, reason)))

@@ -33,7 +33,7 @@ from fleet_tui.rules.commands.route_checks import (
 )
 from fleet_tui.rules.commands.set_up import checks as set_up
 from fleet_tui.situation.robots import absence
-from fleet_tui.text.language import Message, counted
+from fleet_tui.text.language import EMPTY, Message, counted
 from fleet_tui.text.limits import some
 from fleet_tui.text.units import age
 
@@ -146,7 +146,9 @@ def not_in_queue(state: FleetState, robot: Robot, command: Command) -> Iterator[
             its=its,
             name=robot.name,
         )
-        yield Problem("not in the queue", text + (" at last report" if old else ""), blocks=not old)
+        yield Problem(
+            "not in the queue", text + (Message(" at last report") if old else EMPTY), blocks=not old
+        )
     elif order is not None and order.is_over:
         text = Message(
             "order {order_id} of {name} is already {state_text}",
