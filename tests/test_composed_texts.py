@@ -14,6 +14,7 @@ from fleet_tui.rules.commands.batches import summary
 from fleet_tui.rules.why.reason import mission
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.text.language import Message, translate
+from fleet_tui.view.history.events import EventKind, PastEvent
 from tests.support.console_pilot import console
 from tests.support.fleets import T0, commanded, fleet, reduced
 from tests.support.watched_store import config_of
@@ -60,3 +61,10 @@ async def test_a_question(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 2)) as it:
         it.app.main.rest.confirm.ask(lambda: Message("Send?"), lambda: None)
         await it.shows("Senden?")
+
+
+def test_who_confirmed_a_command_follows_without_brackets() -> None:
+    event = PastEvent(
+        1.0, None, EventKind.COMMAND, "r", Message("pause"), Message("confirmed"), Message("by the robot")
+    )
+    assert event.text == "r Pause: bestätigt vom Roboter"
