@@ -42,7 +42,7 @@ from fleet_tui.terminal.detect import (
 )
 from fleet_tui.terminal.lean_app import LeanApp
 from fleet_tui.terminal.terminal_driver import PlainDriver
-from fleet_tui.text.language import EMPTY, Message, counted
+from fleet_tui.text.language import EMPTY, Message, counted, joined
 from fleet_tui.themes import FleetTheme, load_themes
 from fleet_tui.view.map.drawing import Drawing
 
@@ -92,7 +92,7 @@ def open_console(
         _to_the_end(_ready(config, drawing, debug, make, arrived))
 
 
-def _first_steps(config: Config) -> str:
+def _first_steps(config: Config) -> Message:
     """Return what a newcomer to the simulated fleet can try: its floors have these places."""
     if config.operator.read_only:
         return Message("simulated fleet, read-only")
@@ -103,7 +103,7 @@ def _first_steps(config: Config) -> str:
     )
 
 
-def _arrived(config: Config, site: "DiscoveredSite | None") -> str:
+def _arrived(config: Config, site: "DiscoveredSite | None") -> Message:
     """Return where the fleet comes from. A file found in the current folder may be there by chance."""
     masters = [name for name, link in config.bridges.items() if link.role == "master"]
     if masters and not config.operator.read_only:
@@ -116,7 +116,7 @@ def _arrived(config: Config, site: "DiscoveredSite | None") -> str:
     count = len(config.robots)
     told = counted("{count} robot", "{count} robots", count)
     if config.path.parent != Path.cwd():
-        return f"{config.path}: {told}"
+        return Message("{path}: {told}", path=config.path, told=told)
     return Message(
         "./{name}: {problem}. fleet-tui demo shows a simulated fleet", name=config.path.name, problem=told
     )
@@ -276,7 +276,14 @@ def replaying(
 
 class _Make(Protocol):
     def __call__(
-        self, themes: dict[str, FleetTheme], drawing: Drawing, /, *, colour: bool, terminal: str, message: str
+        self,
+        themes: dict[str, FleetTheme],
+        drawing: Drawing,
+        /,
+        *,
+        colour: bool,
+        terminal: str,
+        message: Message,
     ) -> FleetApp: ...
 
 
@@ -285,7 +292,7 @@ def _ready(
     drawing: str | None,
     debug: bool,
     make: _Make,
-    message: str = "",
+    message: Message = EMPTY,
 ) -> FleetApp:
     """Return the result of `make` for the themes, the drawing of the map, and whether there is colour;
     adapted to this terminal. Raises FleetError if it can't run."""
@@ -303,8 +310,8 @@ def _ready(
         )
     for warning in warnings:
         LOG.warning("%s", warning)
-    more = Message(" and {count} more", count=len(warnings) - 1) if warnings[1:] else ""
-    message = "; ".join([*(f"{one}{more}" for one in warnings[:1]), *filter(None, [message])])
+    more = Message(" and {count} more", count=len(warnings) - 1) if warnings[1:] else EMPTY
+    message = joined("; ", [*(one + more for one in warnings[:1]), *filter(None, [message])])
     use_language(config.ui.language)
     mode, colour = drawing_for(drawing or config.ui.drawing), has_colour()
     app = make(themes, mode, colour=colour, terminal=description(mode, colour), message=message)

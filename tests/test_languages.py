@@ -124,3 +124,13 @@ def test_the_words_of_a_robot_stay_as_they_are() -> None:
     assert translate(verbatim("Failed to make progress")) == "Failed to make progress"
     refused = Message("not sent: {problem}", problem="door to hall locked")
     assert translate(refused) == "nicht gesendet: door to hall locked"
+
+
+@pytest.mark.parametrize(
+    ("language", "none", "one"), [("de", "0 Aufträge", "1 Auftrag"), ("pt", "0 ordens", "1 ordem")]
+)
+def test_none_is_many(language: str, none: str, one: str) -> None:
+    use_language(language)
+    texts = [translate(counted("{count} order", "{count} orders", count)) for count in (0, 1, 2, 1_000_000)]
+    assert texts[:2] == [none, one]
+    assert {text.split()[1] for text in texts[2:]} == {none.split()[1]}

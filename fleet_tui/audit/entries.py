@@ -44,7 +44,11 @@ class Origin:
 def _truncated(text: str) -> str:
     """Truncate a text, and drop characters that JSON readers reject: half a surrogate pair."""
     text = text if len(text) <= TEXT_KEPT else text[: TEXT_KEPT - 1] + "…"
-    return text if text.isascii() else text.encode(errors="backslashreplace").decode()
+    try:
+        text.encode()
+    except UnicodeEncodeError:
+        return text.encode(errors="backslashreplace").decode()
+    return text
 
 
 def command_records(

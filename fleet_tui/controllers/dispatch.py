@@ -20,13 +20,13 @@ from fleet_tui.rules.commands.local_queue import hold_all
 from fleet_tui.rules.commands.rights import not_allowed
 from fleet_tui.rules.commands.subject import Subject, subject_of, what_changed
 from fleet_tui.state.store import Store
-from fleet_tui.text.language import EMPTY, Message, joined
+from fleet_tui.text.language import EMPTY, Message, joined, verbatim
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.questions import losses, question
 
 Prepare = Callable[[], Message]
 """Prepares a request that is about to be sent. Returns the reason not to send it, empty if there is none."""
-Ask = Callable[[Callable[[], str], Callable[[], None]], None]
+Ask = Callable[[Callable[[], Message], Callable[[], None]], None]
 """Asks a question until it is empty, and calls the next step only after a yes."""
 
 
@@ -157,13 +157,13 @@ class Dispatch:
             self._notices.say(problem)
         return EMPTY
 
-    def _question(self, request: Request, asked: Subject) -> str:
+    def _question(self, request: Request, asked: Subject) -> Message:
         """Return the question, empty once there is nothing to ask: the order to cancel may have ended, or may
         be another one."""
         if problem := self.objection(request) or self.withdrawn(request, asked):
             self._notices.say(problem)
-            return ""
-        return question(self._store.state, request, self.objections(request))
+            return EMPTY
+        return verbatim(question(self._store.state, request, self.objections(request)))
 
     def withdrawn(self, request: Request, asked: Subject) -> Message:
         """Return why a question is void: it is not about what was `asked` any more. Empty while it is."""

@@ -202,4 +202,4 @@ class MapControls:
                 Message("{key_name} goes to the next one", key_name=key_name(key))
                 for key in self._to_next[:1]
             ]
-            self._say(joined(": ", ["no place here", *way]))
+            self._say(joined(": ", [Message("no place here"), *way]))

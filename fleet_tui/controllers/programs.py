@@ -15,14 +15,14 @@ from fleet_tui.model.problem import Right
 from fleet_tui.model.programs.program import NOT_CONFIRMED, ChangeOutcome, ProgramState
 from fleet_tui.programs.change import VERBS, change
 from fleet_tui.programs.watch import ProgramWatch
-from fleet_tui.text.language import EMPTY, Message, joined
+from fleet_tui.text.language import EMPTY, Message, joined, verbatim
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.programs.questions import change_question
 from fleet_tui.view.programs.table import note
 
 LOG = logging.getLogger(__name__)
 
-INTERRUPTED = ChangeOutcome(NOT_CONFIRMED, "the console was closed")
+INTERRUPTED = ChangeOutcome(NOT_CONFIRMED, Message("the console was closed"))
 
 
 def since_text(wall: float) -> str:
@@ -85,7 +85,7 @@ class ProgramRequests:
             self._notices.say(sanitize(refusal))
             return
         self._ask(
-            lambda: change_question(self._watch.rows, name, verb, time.monotonic()),
+            lambda: verbatim(change_question(self._watch.rows, name, verb, time.monotonic())),
             partial(self._begin, name, verb),
         )
 

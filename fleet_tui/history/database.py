@@ -54,6 +54,11 @@ CREATE TABLE charge_hours (
 CREATE TABLE notes (at REAL NOT NULL, operator TEXT NOT NULL, text TEXT NOT NULL);
 CREATE INDEX notes_by_time ON notes (at);
 """
+MESSAGES = """
+CREATE TABLE IF NOT EXISTS messages (text TEXT PRIMARY KEY, message TEXT NOT NULL) WITHOUT ROWID
+"""
+"""Texts with values, by their English, which the other tables have: for readers in another language. Added
+after version 1, which can do without."""
 
 
 def history_path(folder: Path, config: Config) -> Path:
@@ -87,12 +92,14 @@ def _prepare(database: sqlite3.Connection) -> bool:
     if version > VERSION:
         raise sqlite3.NotSupportedError("written by a newer fleet-tui")
     if version == VERSION:
+        database.execute(MESSAGES)
         return False
     with transaction(database):
         (version,) = database.execute("PRAGMA user_version").fetchone()  # another console may have been first
         if version == 0:
             for statement in SCHEMA.split(";"):
                 database.execute(statement)
+            database.execute(MESSAGES)
             database.execute(f"PRAGMA user_version = {VERSION}")
     return bool(version == 0)
 

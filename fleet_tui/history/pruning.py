@@ -10,6 +10,9 @@ DAY = 86_400.0
 PARTS = (1.0, 0.75, 0.5, 0.25, 0.1)
 """Parts of the days that are kept, until the file is small enough."""
 
+TEXTS = (("orders", "reason"), ("commands", "reason"), ("links", "reason"), ("alarms", "text"))
+"""Columns with the texts of messages."""
+
 
 def shrink(database: sqlite3.Connection, now: float, config: HistoryConfig) -> None:
     """Remove what is too old at a time in Unix seconds, and the oldest while the file is too large."""
@@ -31,6 +34,8 @@ def prune(database: sqlite3.Connection, before: float) -> None:
         ("notes", "at"),
     ):
         database.execute(f"DELETE FROM {table} WHERE {column} < ?", (before,))
+    used = " UNION ".join(f"SELECT {column} FROM {table}" for table, column in TEXTS)
+    database.execute(f"DELETE FROM messages WHERE text NOT IN ({used})")
     for table, column in (("spans", "began"), ("charges", "at")):
         # By robot: so the tables need no further index, which would be as large as they are.
         robots = "robot IN (SELECT DISTINCT robot FROM hours)"

@@ -1,16 +1,20 @@
 """Reads a history, also while a console writes it."""
 
+import json
 import sqlite3
 from collections.abc import Collection, Iterator, Sequence
+from contextlib import suppress
 from typing import Any, TypeVar
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from fleet_tui.model.commands import Stage
 from fleet_tui.model.history.facts import Activity, Charge, LinkChange, Note, Span
 from fleet_tui.model.history.lives import AlarmLife, PastCommand, PastOrder
 from fleet_tui.rules.commands.confirmation import IN_QUEUE
 from fleet_tui.rules.history.observing import HOUR
+from fleet_tui.text.language import EMPTY, Message, message_with_values
 
 S = TypeVar("S", bound=Struct)
 
@@ -48,12 +52,12 @@ class History:
         """Return the orders that have not ended, also those that wait in a console. Who gave one is known to
         the console that gave it: if another one observes, by that one's command."""
         rows = self.database.execute(OPEN_ORDERS, {"waiting": Stage.WAITING.value})
-        return [PastOrder(*row) for row in rows]
+        return [self._with_messages(PastOrder(*row)) for row in rows]
 
     def open_alarms(self) -> list[AlarmLife]:
         """Return the alarms that hold, or that nobody has acknowledged."""
         query = f"SELECT {', '.join(ALARM)} FROM alarms WHERE ended IS NULL ORDER BY raised"
-        return [AlarmLife(*row) for row in self.database.execute(query)]
+        return [self._with_messages(AlarmLife(*row)) for row in self.database.execute(query)]
 
     def alarms(self, since: float, until: float, robot: str = "") -> list[AlarmLife]:
         """Return the alarms that were raised or held in a time."""
@@ -85,7 +89,7 @@ class History:
         before = "SELECT max(at), link, is_up, reason FROM links WHERE at < ? GROUP BY link"
         within = "SELECT at, link, is_up, reason FROM links WHERE at >= ? AND at < ? ORDER BY at"
         rows = [*self.database.execute(before, (since,)), *self.database.execute(within, (since, until))]
-        return [LinkChange(link, at, bool(is_up), reason) for at, link, is_up, reason in rows]
+        return [LinkChange(link, at, bool(is_up), self._message(reason)) for at, link, is_up, reason in rows]
 
     def notes(self, since: float, until: float) -> list[Note]:
         """Return the remarks of operators in a time."""
@@ -157,6 +161,26 @@ class History:
         )
         return [Charge(*row) for row in rows]
 
+    def _with_messages(self, row: S) -> S:
+        """Return a row with the texts of its console as messages."""
+        match row:
+            case AlarmLife():
+                return replace(row, kind=Message(row.kind), text=self._message(row.text))
+            case PastOrder() | PastCommand():
+                return replace(row, reason=self._message(row.reason))
+            case _:
+                return row
+
+    def _message(self, text: str) -> Message:
+        """Return a text as its console made it. One without values, or of an older console, is looked up."""
+        if not text:
+            return EMPTY
+        with suppress(sqlite3.OperationalError, ValueError, KeyError, TypeError, AttributeError):
+            row = self.database.execute("SELECT message FROM messages WHERE text = ?", (text,)).fetchone()
+            if row is not None and (message := message_with_values(json.loads(row[0]))) == text:
+                return message
+        return Message(text)
+
     def _rows(
         self,
         kind: type[S],
@@ -174,7 +198,7 @@ class History:
         query = f"SELECT {', '.join(columns)} FROM {table} WHERE {wanted}{of_robot} ORDER BY {by} DESC"
         values = {"since": since, "until": until, "robot": robot}
         rows: Iterator[Any] = self.database.execute(f"{query} LIMIT {self._most}", values)
-        return [kind(*row) for row in rows][::-1]
+        return [self._with_messages(kind(*row)) for row in rows][::-1]
 
 
 ORDER = ("robot", "name", "way", "floor", "queued", "begun", "ended", "stage", "reason", "operator")

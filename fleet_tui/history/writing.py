@@ -1,5 +1,6 @@
 """Facts into the tables of a history."""
 
+import json
 import logging
 import sqlite3
 from collections.abc import Iterable
@@ -11,6 +12,7 @@ from fleet_tui.model.commands import NEXT, ORDER_ENDS, RESTARTED, Stage
 from fleet_tui.model.history.facts import Charge, LaterCause, LinkChange, Note, OrderChange, Span
 from fleet_tui.model.order_life import STARTED_OVER
 from fleet_tui.rules.history.observing import BEGUN, HOUR, QUEUED, Fact
+from fleet_tui.text.language import Message, with_values
 
 LOG = logging.getLogger(__name__)
 ENDS = frozenset(stage.value for stage in ORDER_ENDS)
@@ -41,6 +43,7 @@ def write_all(
 
 def write(database: sqlite3.Connection, fact: Fact | Note | AuditRecord, run: str, operator: str) -> None:
     """Write one fact of a console's run. The same fact written twice counts once."""
+    _keep_message(database, fact)
     match fact:
         case Span():
             _write_span(database, fact)
@@ -68,6 +71,19 @@ def write(database: sqlite3.Connection, fact: Fact | Note | AuditRecord, run: st
             write_record(database, fact)
         case _:
             assert_never(fact)
+
+
+def _keep_message(database: sqlite3.Connection, fact: Fact | Note | AuditRecord) -> None:
+    match fact:
+        case OrderChange(reason=text) | LinkChange(reason=text) | AuditRecord(words=text):
+            pass
+        case LaterCause(text=text):
+            pass
+        case _:
+            return
+    if isinstance(text, Message) and text.values:
+        kept = json.dumps(with_values(text))
+        database.execute("INSERT OR REPLACE INTO messages VALUES (?, ?)", (str(text), kept))
 
 
 def _write_span(database: sqlite3.Connection, span: Span) -> None:

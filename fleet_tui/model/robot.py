@@ -108,7 +108,7 @@ class Robot(Struct, frozen=True, eq=False):
     standing: Reading[Pose] | None = None
     place: Reading[Pose] | None = None
     jumps: tuple[Reading[float], ...] = ()
-    relocated: Reading[str] | None = None
+    relocated: Reading[Message] | None = None
     misplaced: Reading[str] | None = None
     misplaced_since: float | None = None
     pace: float | None = None

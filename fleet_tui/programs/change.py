@@ -24,7 +24,7 @@ from fleet_tui.programs.look import look
 from fleet_tui.programs.process import EndedProcess, run
 from fleet_tui.programs.reasons import SSH_FAILED, failure
 from fleet_tui.programs.session_state import stop_session
-from fleet_tui.text.language import N_, Message
+from fleet_tui.text.language import EMPTY, N_, Message, joined, verbatim
 
 START, STOP, RESTART = VERBS = (N_("start"), N_("stop"), N_("restart"))
 WITHIN = 30.0
@@ -38,8 +38,8 @@ async def change(program: ProgramEntry, verb: str, folder: Path, within: float =
     """Start, stop or restart a program within seconds, and return the outcome."""
     if refusal := own_rights().refusal(Right.SETUP):
         return ChangeOutcome(REFUSED, refusal)
-    if found := doubt_of_program(program):  # its files may have changed since the configuration was read
-        return ChangeOutcome(REFUSED, found)
+    if doubt := doubt_of_program(program):  # its files may have changed since the configuration was read
+        return ChangeOutcome(REFUSED, verbatim(doubt))
     until = time.monotonic() + within
     # systemd restarts its units itself, in the sequence of their dependencies.
     verbs = (verb,) if program.unit or verb != RESTART else (STOP, START)
@@ -103,7 +103,7 @@ async def _outcome(
         now = await look(program, folder)
         is_new = now.instance != before.instance
         if verb == STOP and now.state in ENDED:
-            return ChangeOutcome(CONFIRMED, now.detail if now.state is ProgramState.FAILED else "")
+            return ChangeOutcome(CONFIRMED, now.detail if now.state is ProgramState.FAILED else EMPTY)
         if verb != STOP and now.state is ProgramState.FAILED and (is_new or before.state is not now.state):
             return ChangeOutcome(FAILED, Message("{detail}: see its log", detail=now.detail))
         if now.state is not ProgramState.RUNNING or (verb == RESTART and now.instance and not is_new):
@@ -115,6 +115,8 @@ async def _outcome(
         if time.monotonic() >= until:
             return ChangeOutcome(
                 NOT_CONFIRMED,
-                " ".join((Message("is {state}", state=Message(now.state.value)), now.detail)).strip(),
+                joined(
+                    " ", filter(None, (Message("is {state}", state=Message(now.state.value)), now.detail))
+                ),
             )
         await asyncio.sleep(LOOK_EVERY)

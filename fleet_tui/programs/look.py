@@ -14,7 +14,7 @@ from fleet_tui.programs import arguments
 from fleet_tui.programs.process import EndedProcess, run
 from fleet_tui.programs.reasons import NOT_FOUND, SSH_FAILED, failure, has_no_systemd, last_line
 from fleet_tui.programs.session_state import session_status
-from fleet_tui.text.language import EMPTY, Message, verbatim
+from fleet_tui.text.language import EMPTY, N_, Message, verbatim
 from fleet_tui.text.limits import truncate
 
 LOOK_WITHIN = 8.0
@@ -33,12 +33,12 @@ _STATES = {
     "failed": ProgramState.FAILED,
 }
 _RESULTS = {
-    "exit-code": "exit status {status}",
-    "signal": "killed by signal {status}",
-    "core-dump": "crashed with signal {status}",
-    "timeout": "ended after its time limit",
-    "oom-kill": "killed for lack of memory",
-    "start-limit-hit": "started too often: systemd gave up",
+    "exit-code": N_("exit status {status}"),
+    "signal": N_("killed by signal {status}"),
+    "core-dump": N_("crashed with signal {status}"),
+    "timeout": N_("ended after its time limit"),
+    "oom-kill": N_("killed for lack of memory"),
+    "start-limit-hit": N_("started too often: systemd gave up"),
 }
 
 
@@ -109,9 +109,9 @@ def unit_status(output: str, unit: str, at: float) -> ProgramStatus | None:
 def _detail(state: ProgramState, found: Mapping[str, str]) -> Message:
     if state is ProgramState.FAILED:
         result = found.get("Result", "")
-        return verbatim(
-            truncate(_RESULTS.get(result, result).replace("{status}", found.get("ExecMainStatus", "?")))
-        )
+        if result in _RESULTS:
+            return truncate(Message(_RESULTS[result], status=found.get("ExecMainStatus", "?")))
+        return verbatim(truncate(result))
     if found.get("LoadState") in ("masked", "bad-setting", "error"):
         return Message("its unit file is {state}", state=found["LoadState"])
     sub = found.get("SubState", "")

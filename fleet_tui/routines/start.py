@@ -14,7 +14,7 @@ from fleet_tui.routines.look import RoutinePlace, plans_of
 from fleet_tui.routines.programs import program_problem
 from fleet_tui.rules.routines.checking import check_routine
 from fleet_tui.rules.routines.timeline import TimelineEntry, timeline
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import Message, joined
 from fleet_tui.text.limits import some
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.routines.lines import problem_line, timeline_lines, timeline_totals
@@ -33,7 +33,7 @@ class Examined(Struct, frozen=True):
     timeline: tuple[str, ...] = ()
     totals: tuple[str, ...] = ()
 
-    def question(self, is_left: bool) -> str:
+    def question(self, is_left: bool) -> Message:
         """Return the question before it starts, or continues where it left off."""
         assert self.file is not None
         robots = sanitize(Message("{name} with {some}", name=self.file.name, some=some(self.robots)))
@@ -47,7 +47,7 @@ class Examined(Struct, frozen=True):
             if len(self.totals) > SHOWN
             else []
         )
-        return "\n".join([Message("Start {robots}?", robots=robots), *self.totals[:SHOWN], *more])
+        return joined("\n", [Message("Start {robots}?", robots=robots), *self.totals[:SHOWN], *more])
 
 
 def problems_of(state: FleetState, file: RoutineFile) -> list[RoutineProblem]:

@@ -11,7 +11,7 @@ from textual.content import Content
 from textual.widgets import Button, Static
 
 from fleet_tui.screens.overlay import Dialog, MouseButton
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import Message, tr, translate
 
 ASK_AGAIN_EVERY = 0.5
 
@@ -36,11 +36,11 @@ class Confirm(Dialog, can_focus=True):
         """Update the question while it is open."""
         self._timer = self.set_interval(ASK_AGAIN_EVERY, self._put, pause=True)
 
-    def ask(self, question: Callable[[], str], then: Callable[[], None]) -> None:
+    def ask(self, question: Callable[[], Message], then: Callable[[], None]) -> None:
         """Ask, and call `then` only after a yes."""
         self._question = question
         self._then = then
-        self.query_one("#question", Static).update(question())
+        self.query_one("#question", Static).update(translate(question()))
         self._timer.resume()
         self.open(self)
 
@@ -48,7 +48,7 @@ class Confirm(Dialog, can_focus=True):
         if not self.is_open:
             self._timer.pause()
         elif question := self._question():
-            self.query_one("#question", Static).update(question)
+            self.query_one("#question", Static).update(translate(question))
         else:
             self.action_close()
 

@@ -28,7 +28,7 @@ from fleet_tui.screens.overlay import Overlay
 from fleet_tui.screens.robot.overlay import RobotOverlay
 from fleet_tui.screens.tables.newest import NewestRows
 from fleet_tui.state.store import Store
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import Message, counted
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.commands import message_line
 from fleet_tui.view.lines.hints import hidden_keys, idle_hints, other_alarmed, unoffered_keys
@@ -166,7 +166,7 @@ class MainScreen(Screen[None]):
 
     def tell_dropped(self, count: int, stood_still: bool) -> None:
         """Say how many keys were dropped because they were typed for another place."""
-        keys = f"{count} key{'s' * (count != 1)} dropped"
+        keys = counted("{count} key dropped", "{count} keys dropped", count)
         why = (
             Message("typed while nothing could be shown") if stood_still else Message("typed on after Enter")
         )

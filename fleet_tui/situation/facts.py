@@ -1,7 +1,7 @@
 """The table of facts: one row for each kind, which alarm, reason, row and status read."""
 
 from fleet_tui.situation.fact import AlarmClass, FactKind
-from fleet_tui.text.language import EMPTY, Message
+from fleet_tui.text.language import EMPTY, N_, Message
 
 NO_LINK = FactKind(
     "link",
@@ -58,7 +58,7 @@ COMMANDS_UNTRIED = FactKind(
     page="link",
 )
 LATE_LINK = FactKind(
-    "late",
+    N_("late"),
     Message("bridge overloaded"),
     Message("messages on time"),
     AlarmClass(
@@ -102,7 +102,7 @@ HEARTBEAT_NOT_ALLOWED = COMMANDS_DEAD._replace(
     remedy=NOT_ALLOWED.action,
 )
 BEHIND = FactKind(
-    "behind",
+    N_("behind"),
     Message("this console is behind"),
     Message("this console has caught up"),
     AlarmClass(
@@ -131,7 +131,7 @@ SILENT = FactKind(
 NEVER_SEEN = SILENT._replace(word=Message("never seen"))
 AGE_UNKNOWN = SILENT._replace(word=Message("age unknown"))
 OLD_STAMPS = FactKind(
-    "localisation",
+    N_("localisation"),
     Message("poses arrive late"),
     Message("localisation recovered"),
     AlarmClass(
@@ -157,7 +157,7 @@ NO_POSE = OLD_STAMPS._replace(
 )
 UNCERTAIN = OLD_STAMPS._replace(word=Message("localisation uncertain"), keys=("pose", "centre"))
 BAD_DATA = FactKind(
-    "data",
+    N_("data"),
     Message("bad data"),
     Message("no new bad data"),
     AlarmClass(
@@ -210,7 +210,7 @@ E_STOP = FactKind(
     keys=OBSTACLE.keys,
 )
 FAULT = FactKind(
-    "fault",
+    N_("fault"),
     Message("error"),
     Message("no errors reported"),
     AlarmClass(
@@ -236,7 +236,7 @@ DRIVES_ON = FactKind(
     keys=("pause", "centre"),
 )
 INACTIVE = FactKind(
-    "navigation",
+    N_("navigation"),
     Message("Nav2 inactive"),
     Message("navigation reports again"),
     AlarmClass(

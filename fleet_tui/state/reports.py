@@ -110,7 +110,7 @@ def _jumps(robot: Robot, pose: Pose, frame_id: str, at: float) -> tuple[Reading[
     return (*recent, Reading(metres, at))[-JUMPS_KEPT:]
 
 
-def relocation(robot: Robot, pose: Pose, frame_id: str, at: float) -> Reading[str] | None:
+def relocation(robot: Robot, pose: Pose, frame_id: str, at: float) -> Reading[Message] | None:
     """Return the last jump of a robot's pose that its speed can't explain."""
     last = robot.pose
     if last is None or frame_id != robot.frame_id:

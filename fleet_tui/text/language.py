@@ -6,8 +6,7 @@ translated where it is shown.
 
 from collections.abc import Callable, Iterable, Mapping
 from gettext import NullTranslations
-from typing import Self
-
+from typing import Any, Self
 
 _PLAIN = str, int, float
 
@@ -92,6 +91,26 @@ def joined(separator: str, texts: Iterable[str]) -> Message:
         return verbatim(separator.join(texts))
     parts = {f"part{n}": text for n, text in enumerate(texts)}
     return Message(separator.join(f"{{{name}}}" for name in parts), **parts)
+
+
+def with_values(message: Message) -> dict[str, object]:
+    """Return a message as JSON types that keep what `message_with_values` needs to translate it."""
+    values = {
+        name: with_values(value) if isinstance(value, Message) else value
+        for name, value in message.values.items()
+    }
+    return {"id": message.id, "many": message.many, "values": values}
+
+
+def message_with_values(kept: dict[str, Any]) -> Message:
+    """Return a message that was kept with its values. Raises KeyError, TypeError and ValueError."""
+    values = {
+        name: message_with_values(value) if isinstance(value, dict) else value
+        for name, value in kept["values"].items()
+    }
+    if kept["many"]:
+        return counted(kept["id"], kept["many"], int(str(values.pop("count"))), **values)
+    return Message(kept["id"], **values)
 
 
 def from_english(kind: type, value: object) -> Message:

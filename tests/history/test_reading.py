@@ -9,11 +9,14 @@ import pytest
 
 from fleet_tui.audit.entries import Origin
 from fleet_tui.history.database import open_to_write
+from fleet_tui.history.pruning import prune
 from fleet_tui.history.reading import History
 from fleet_tui.history.writing import write
+from fleet_tui.languages import ENGLISH, use_language
 from fleet_tui.model.commands import RESTARTED
 from fleet_tui.model.history.facts import Activity, Charge, LinkChange, OrderChange, Span
 from fleet_tui.rules.history.observing import HOUR
+from fleet_tui.text.language import Message, counted, translate, verbatim
 from tests.support.records import ANA
 
 
@@ -158,3 +161,41 @@ def test_alarms_are_open_until_they_are_over_and_seen(database: sqlite3.Connecti
         ("r", None),
         ("s", 6.0),
     ]
+
+
+def test_a_text_with_values_speaks_the_language_of_its_reader(database: sqlite3.Connection) -> None:
+    told = {"kind": "alarm", "what": "obstacle", "robot": "r", "priority": "high"}
+    blocked = Message("obstacle {duration}", duration="30 s")
+    lost = counted("{count} order", "{count} orders", 2)
+    failed = Message("not sent: {problem}", problem=Message("no link"))
+    write(database, ANA.record(5.0, change="raised", words=blocked, **told), "run1", "ana")
+    write(database, LinkChange("rosbridge", 5.0, False, verbatim("no link")), "run1", "ana")
+    write(database, OrderChange("r", "1", "A -> B", 6.0, "failed", reason=failed), "run1", "ana")
+    write(database, OrderChange("s", "1", "A -> B", 6.0, "failed", reason=lost), "run1", "ana")
+    found = History(database)
+    (alarm,), (link,) = found.alarms(0.0, 9.0), found.links(0.0, 9.0)
+    orders = {one.robot: one.reason for one in found.orders(0.0, 9.0)}
+    assert (alarm.text, link.reason, orders["r"]) == ("obstacle 30 s", "no link", "not sent: no link")
+    use_language("de")
+    try:
+        assert translate(Message(alarm.text)) == "Hindernis 30 s"
+        assert translate(alarm.kind) == "Hindernis"
+        assert translate(Message("stuck")) == "steht fest"
+        assert translate(Message(link.reason)) == "no link"  # another one's words
+        assert translate(Message(orders["r"])) == "nicht gesendet: keine Verbindung"
+        assert translate(Message(orders["s"])) == "2 Aufträge"
+    finally:
+        use_language(ENGLISH)
+
+
+def test_texts_of_an_older_console_are_read_as_they_are(database: sqlite3.Connection) -> None:
+    write(database, LinkChange("rosbridge", 5.0, False, Message("not sent: {x}", x="1")), "run1", "ana")
+    database.execute("DROP TABLE messages")
+    assert [one.reason for one in History(database).links(0.0, 9.0)] == ["not sent: 1"]
+
+
+def test_messages_go_with_the_last_row_that_has_their_text(database: sqlite3.Connection) -> None:
+    for at, age in ((5.0, "1 s"), (500.0, "2 s")):
+        write(database, LinkChange("rosbridge", at, False, Message("{age} ago", age=age)), "run1", "ana")
+    prune(database, 100.0)
+    assert database.execute("SELECT text FROM messages").fetchall() == [("2 s ago",)]

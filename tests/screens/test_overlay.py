@@ -3,6 +3,7 @@
 import pytest
 
 from fleet_tui.simulator.server import RosbridgeServer
+from fleet_tui.text.language import verbatim
 from tests.support.console_pilot import console
 from tests.support.ordering import one_packet, sent
 from tests.support.watched_store import config_of
@@ -24,13 +25,13 @@ async def test_a_dialog_over_a_list_gives_it_back_and_over_nothing_the_map(serve
     async with console(config_of(server.url, 1)) as it:
         rest = it.app.main.rest
         await it.press("J")
-        rest.confirm.ask(lambda: "Really?", lambda: None)
+        rest.confirm.ask(lambda: verbatim("Really?"), lambda: None)
         await it.shows("Really?")
         assert not rest.programs.is_open
         await it.press("n")
         assert rest.programs.is_open and rest.programs.rows.has_focus
         await it.press("escape")
-        rest.confirm.ask(lambda: "Really?", lambda: None)
+        rest.confirm.ask(lambda: verbatim("Really?"), lambda: None)
         await it.press("n")
         assert not rest.programs.is_open and rest.map.has_focus
 

@@ -13,7 +13,7 @@ from fleet_tui.adapters.ros import messages as ros
 from fleet_tui.model import events
 from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleets.events import DispatchFailed, RequestAnswered
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import Message, joined
 from fleet_tui.text.limits import LONGEST_NAME, MOST_ORDERS, truncate
 
 RESPONDING = 2
@@ -21,8 +21,8 @@ RESPONDING = 2
 FAILED_TO_ASSIGN = 4
 CANCELLED_IN_FLIGHT = 5
 REASONS = {
-    FAILED_TO_ASSIGN: "no fleet took the task",
-    CANCELLED_IN_FLIGHT: "cancelled before a robot had it",
+    FAILED_TO_ASSIGN: Message("no fleet took the task"),
+    CANCELLED_IN_FLIGHT: Message("cancelled before a robot had it"),
 }
 
 
@@ -111,7 +111,7 @@ def read_dispatches() -> Read:
         ):
             if why := REASONS.get(one.status):
                 errors = "; ".join(filter(None, map(_error, one.errors[:3])))
-                reason = ": ".join(filter(None, (why, errors)))
+                reason = joined(": ", filter(None, (why, errors)))
                 yield DispatchFailed(one.task_id, at, reason, one.status == CANCELLED_IN_FLIGHT)
 
     return facts

@@ -21,18 +21,18 @@ from fleet_tui.text.limits import LONGEST_NAME, truncate
 Read = Callable[[frozenset[str], object, float], Iterable[events.Event]]
 """Reads a message that arrived at a monotonic second: the events of these robots. Raises WireError."""
 MODES = (
-    "idle",
-    "charging",
-    "moving",
-    "paused",
-    "waiting",
-    "emergency",
-    "going home",
-    "docking",
-    "adapter error",
-    "cleaning",
-    "performing an action",
-    "action completed",
+    Message("idle"),
+    Message("charging"),
+    Message("moving"),
+    Message("paused"),
+    Message("waiting"),
+    Message("emergency"),
+    Message("going home"),
+    Message("docking"),
+    Message("adapter error"),
+    Message("cleaning"),
+    Message("performing an action"),
+    Message("action completed"),
 )
 """Modes of rmf_fleet_msgs/RobotMode, by number."""
 FULL = 101.0

@@ -113,8 +113,9 @@ def _requests(state: Fields) -> Iterator[str]:
     """Yield what a vehicle asks its master control for, and is not granted: 3.0 has zones that must be
     released, and corridors beside edges."""
     for one in state.parts(MOST_REQUESTS, "zoneRequests") or []:
-        what = Message("a new route in zone") if one.word("requestType") == "REPLANNING" else "zone"
-        yield from _asked(one, f"{what} {one.id('zoneId')}")
+        is_route = one.word("requestType") == "REPLANNING"
+        what = Message("a new route in zone") if is_route else Message("zone")
+        yield from _asked(one, Message("{what} {zone}", what=what, zone=one.id("zoneId")))
     for one in state.parts(MOST_REQUESTS, "edgeRequests") or []:
         yield from _asked(one, Message("the corridor of edge {id}", id=one.id("edgeId")))
 

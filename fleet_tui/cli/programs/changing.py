@@ -19,6 +19,7 @@ from fleet_tui.model.problem import Right
 from fleet_tui.model.programs.program import NOT_CONFIRMED, ChangeOutcome
 from fleet_tui.programs.change import change
 from fleet_tui.state.store import Store
+from fleet_tui.text.language import Message
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.programs.questions import change_question
 
@@ -48,7 +49,7 @@ def _is_wanted(config: Config, program: ProgramEntry, verb: str) -> bool:
 
 def _audited(config: Config, program: ProgramEntry, verb: str, within: float, say: Say) -> ChangeOutcome:
     where = program.name + (f" on {program.host}" if program.host else "")
-    outcome = ChangeOutcome(NOT_CONFIRMED, "interrupted")
+    outcome = ChangeOutcome(NOT_CONFIRMED, Message("interrupted"))
     with auditing(state_folder(), config, Store(initial_state(config, time.monotonic()))) as audit:
         audit.log_console(f"program {verb}", f"{where}: sent")
         try:

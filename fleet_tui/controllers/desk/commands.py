@@ -152,7 +152,8 @@ class DeskCommands:
         if edge is None:
             return False
         cut = cut_orders(state, edge.ends)
-        lines = [f"{edge_text(robot, edge.ends)}: {impact_text(cut)}", *impact_lines(state, cut)]
+        head = Message("{edge}: {impact}", edge=edge_text(robot, edge.ends), impact=impact_text(cut))
+        lines = [head, *impact_lines(state, cut)]
         entries: list[Entry] = [] if self._parts.dispatch.desk_refusal() else [self._open(edge.ends)]
         self._parts.open_menu(
             joined("\n", map(sanitize, lines)), [*entries, (Message("Close this"), lambda: None)]

@@ -29,7 +29,7 @@ class Checked(NamedTuple):
 
     floor: DocumentFloor
     found: tuple[GraphFinding, ...]
-    ways: str
+    ways: Message
 
 
 class DraftChecks:
@@ -162,10 +162,10 @@ def _checked(floor: DocumentFloor, inputs: LintInputs) -> Checked:
     except Exception:  # it must not end the checks for good
         LOG.exception("check of a draft")
         failed = GraphFinding("check", Message("the check itself failed: see the log"), True)
-        return Checked(floor, (failed,), "ways not checked")
+        return Checked(floor, (failed,), Message("ways not checked"))
 
 
-def _ways(floor: DocumentFloor, inputs: LintInputs, found: tuple[GraphFinding, ...]) -> str:
+def _ways(floor: DocumentFloor, inputs: LintInputs, found: tuple[GraphFinding, ...]) -> Message:
     """Return the number of reachable labels, and the longest detour between two."""
     graph, labels = route_graph(floor, inputs.roles)
     lost = sum(finding.rule == "reach" for finding in found)

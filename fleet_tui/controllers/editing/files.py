@@ -23,7 +23,7 @@ from fleet_tui.maps.graph_storage import graph_text, load_graph_file
 from fleet_tui.model.graphs.document import DocumentFloor, GraphDocument, GraphFormat, of_floor
 from fleet_tui.rules.graphs.finding import LintInputs
 from fleet_tui.rules.graphs.targets import of_target
-from fleet_tui.text.language import EMPTY, Message, counted, message_of
+from fleet_tui.text.language import EMPTY, Message, counted, joined, message_of
 from fleet_tui.text.sanitize import sanitize
 
 WORD = "write"
@@ -116,14 +116,15 @@ class DraftFiles:
         if not doubts:
             save()
             return
-        question = "\n".join(
+        question = joined(
+            "\n",
             map(
                 sanitize,
                 (
                     Message("Write {name} as {format}?", name=path.name, format=Message(format_.value)),
                     *doubts,
                 ),
-            )
+            ),
         )
         self._ask(lambda: question, save)
 

@@ -14,7 +14,7 @@ from fleet_tui.rules.language.lookup import Place, is_still, order_of
 from fleet_tui.rules.routes.dispatching import to_any
 from fleet_tui.rules.routes.nearest import Nearest, nearest, why_none, why_not
 from fleet_tui.state.store import Store
-from fleet_tui.text.language import EMPTY, Message, joined, message_of, tr, translate
+from fleet_tui.text.language import EMPTY, Message, joined, message_of
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.questions import request_text
 
@@ -50,16 +50,16 @@ class AnyoneOrders:
     def _request(self, found: Nearest) -> Request:
         return order_of(self._store.state.robots[found.robot], found.places)
 
-    def _question(self, found: Nearest, before: Message) -> str:
+    def _question(self, found: Nearest, before: Message) -> Message:
         state = self._store.state
-        text = tr(
+        asked = Message(
             "{order}?\nNearest idle, {metres} m away",
             order=request_text(state, self._request(found)),
             metres=f"{found.metres:.0f}",
         )
         reason = why_not(state, state.robots[found.robot])
-        now = tr("It is now {reason}: Yes proposes the next one", reason=reason) if reason else ""
-        return "\n".join(filter(None, (translate(before), text, now)))
+        now = Message("It is now {reason}: Yes proposes the next one", reason=reason) if reason else EMPTY
+        return joined("\n", filter(None, (before, asked, now)))
 
     def _send(self, found: Nearest, places: Sequence[Place], sent: Callable[[], None]) -> None:
         """Send the confirmed order; propose another robot if this one is not idle any more."""

@@ -29,7 +29,7 @@ from fleet_tui.routines.progress import RoutineProgress, progress_path, resumabl
 from fleet_tui.routines.run import RoutineRun, RunParts
 from fleet_tui.rules.routines.orders import objection
 from fleet_tui.state.store import Store
-from fleet_tui.text.language import EMPTY, Message, translate
+from fleet_tui.text.language import EMPTY, Message, joined, translate
 from fleet_tui.text.sanitize import sanitize
 
 UNTOLD = ("resumed", "step")
@@ -67,7 +67,7 @@ class LedRoutines:
         urls = bridge_urls(self._store.state, plans_of(self._store.state, file))
         owner = Message(
             "{operator} (process {pid}, routine {name})",
-            operator=self._files.operator or "a console",
+            operator=self._files.operator or Message("a console"),
             pid=os.getpid(),
             name=file.name,
         )
@@ -156,12 +156,13 @@ class LedRoutines:
             self._notices.note(sanitize(problem))
 
     @property
-    def losses(self) -> str:
+    def losses(self) -> Message:
         """Return the question before they are left, empty if nothing is led here."""
         if not self.runs:
-            return ""
+            return EMPTY
         names = sanitize(", ".join(self.runs))
-        return f"Leave {names}? Running orders go on, nothing follows.\nIn the next console B continues it."
+        leave = Message("Leave {names}? Running orders go on, nothing follows.", names=names)
+        return joined("\n", (leave, Message("In the next console B continues it.")))
 
     def close(self) -> None:
         """Leave the routines, so that they can be continued."""

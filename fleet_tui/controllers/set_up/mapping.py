@@ -92,9 +92,10 @@ class MappingControls:
             ]
         else:
             self._parts.notices.note(robot.kind.lack(MAPPING))
-        lines = [f"{robot.name}: {mapping_text(robot) or 'not mapping, as far as is known'}"]
+        mapping = mapping_text(robot) or Message("not mapping, as far as is known")
+        lines = [Message("{robot}: {mapping}", robot=robot.name, mapping=mapping)]
         if scene is not None and scene.grid is not None:
-            lines.append(f"{scene.floor}: {survey(scene.grid).text}")
+            lines.append(Message("{floor}: {map}", floor=scene.floor, map=survey(scene.grid).text))
             entries.append(
                 (
                     Message("Save this map to a file"),

@@ -6,7 +6,7 @@ from fleet_tui.controllers.parts import SetUpParts
 from fleet_tui.controllers.typed import Typed
 from fleet_tui.model.fleets.facility import LANES
 from fleet_tui.rules.alarms.facilities import facility_text, listed
-from fleet_tui.text.language import Message, counted, translate, verbatim
+from fleet_tui.text.language import Message, counted
 
 VERB = "facilities"
 TITLE = Message("Facilities: lifts, doors, dispensers, closed lanes")
@@ -29,13 +29,11 @@ class FacilityList:
         lines = [facility_text(state, one) for one in listed(state)]
         lanes = (one for one in state.facilities.values() if one.sort == LANES and one.closed)
         lines += [
-            translate(
-                counted(
-                    "fleet {name}: {count} lane closed",
-                    "fleet {name}: {count} lanes closed",
-                    len(one.closed),
-                    name=one.name,
-                )
+            counted(
+                "fleet {name}: {count} lane closed",
+                "fleet {name}: {count} lanes closed",
+                len(one.closed),
+                name=one.name,
             )
             for one in lanes
         ]
@@ -44,6 +42,6 @@ class FacilityList:
             return
         self._parts.open_menu(
             Message("{title}, {clock}", title=TITLE, clock=self._clock(state.wall)),
-            [(verbatim(line), lambda: None) for line in lines],
+            [(line, lambda: None) for line in lines],
             searched=True,
         )

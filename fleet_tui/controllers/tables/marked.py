@@ -15,7 +15,7 @@ from fleet_tui.rules.commands.subject import Subject, subject_of
 from fleet_tui.rules.language.anyone import own_place
 from fleet_tui.rules.language.lookup import Place
 from fleet_tui.state.store import Store
-from fleet_tui.text.language import EMPTY, Message
+from fleet_tui.text.language import EMPTY, Message, joined, verbatim
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.questions import losses, request_text
 
@@ -96,7 +96,7 @@ class MarkedCommands:
         self._ask(lambda: self._question(asked), send)
         return EMPTY
 
-    def _question(self, asked: Sequence[_Asked]) -> str:
+    def _question(self, asked: Sequence[_Asked]) -> Message:
         commands = [command for one in asked for command in one.request.commands]
         robots = len({command.robot for command in commands})
         head = (
@@ -106,9 +106,9 @@ class MarkedCommands:
         )
         lines = [line for one in asked for line in self._lines(one)]
         more = [Message("and {count} more", count=len(lines) - SHOWN)] if len(lines) > SHOWN else []
-        return "\n".join([head, *(f"  {line}" for line in lines[:SHOWN]), *more])
+        return joined("\n", [head, *("  " + line for line in lines[:SHOWN]), *more])
 
-    def _lines(self, asked: _Asked) -> Iterator[str]:
+    def _lines(self, asked: _Asked) -> Iterator[Message]:
         """Yield what a request is about, with its losses and warnings, or why it can't be sent."""
         state, request = self._store.state, asked.request
         found = self._dispatch.objections(request)
@@ -116,10 +116,10 @@ class MarkedCommands:
         if against or (withdrawn := self._dispatch.withdrawn(request, asked.subject)):
             yield Message("not sent: {problem}", problem=sanitize(against)) if against else withdrawn
             return
-        warnings = "".join(f" ({sanitize(problem.text)})" for problem in found)
-        lost = list(losses(state, request)) or [request_text(state, request)]
-        yield lost[0] + warnings
-        yield from lost[1:]
+        warnings = joined("", (Message(" ({text})", text=sanitize(problem.text)) for problem in found))
+        first, *others = list(losses(state, request)) or [request_text(state, request)]
+        yield Message("{first}{warnings}", first=first, warnings=warnings)
+        yield from map(verbatim, others)
 
     def _send(self, asked: Sequence[_Asked]) -> None:
         told, since = list[tuple[Command, Message]](), monotonic()

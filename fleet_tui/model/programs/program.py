@@ -64,8 +64,8 @@ class ProgramRow(Struct, frozen=True):
 class ChangeOutcome(Struct, frozen=True):
     """The end of a start, stop or restart: `word` is confirmed, refused, failed or not confirmed."""
 
-    word: str
-    detail: str = ""
+    word: Message
+    detail: Message = EMPTY
 
     @property
     def is_confirmed(self) -> bool:
@@ -73,12 +73,12 @@ class ChangeOutcome(Struct, frozen=True):
         return self.word == CONFIRMED
 
     @property
-    def text(self) -> str:
+    def text(self) -> Message:
         """Return the outcome in words."""
-        return f"{self.word} ({self.detail})" if self.detail else self.word
+        return Message("{word} ({text})", word=self.word, text=self.detail) if self.detail else self.word
 
 
-CONFIRMED = "confirmed"
-REFUSED = "refused"
-FAILED = "failed"
-NOT_CONFIRMED = "not confirmed"
+CONFIRMED = Message("confirmed")
+REFUSED = Message("refused")
+FAILED = Message("failed")
+NOT_CONFIRMED = Message("not confirmed")

@@ -3,10 +3,10 @@
 from fleet_tui.model.alarm import Condition, class_of
 from fleet_tui.situation.fact import AlarmClass
 from fleet_tui.situation.facts import FACTS
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import N_, Message
 
 CLASSES = {
-    "stuck": AlarmClass(
+    N_("stuck"): AlarmClass(
         "medium",
         "no movement for `stuck_after` in spite of an order, without an obstacle or a pause;"
         " a later one does not end it",
@@ -22,14 +22,14 @@ CLASSES = {
         Message("Read the reason, check the robot, then give the command again"),
         2,
     ),
-    "issue": AlarmClass(
+    N_("issue"): AlarmClass(
         "medium",
         "the fleet adapter of a robot reports an issue, or its driver an emergency or an adapter error",
         "it may stand until somebody looks; its fleet may give its tasks to others",
         Message("Read the issue on the robot's page; check its fleet adapter and the robot"),
         5,
     ),
-    "facility": AlarmClass(
+    N_("facility"): AlarmClass(
         "medium",
         "a lift in fire or emergency mode, or a lift, a door, a dispenser or an ingestor offline",
         "robots that need it wait there",

@@ -8,7 +8,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.fleets.facility import DOOR, LANES, LIFT, Facility
 from fleet_tui.model.order import natural
 from fleet_tui.model.robot import Robot
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.text.units import age
 
 SILENT_AFTER = 5.0
@@ -23,13 +23,21 @@ def listed(state: FleetState, link: str = "") -> list[Facility]:
     )
 
 
-def facility_text(state: FleetState, one: Facility) -> str:
+def facility_text(state: FleetState, one: Facility) -> Message:
     """Return a facility with its state, its user, and the age of an old state."""
-    user = Message(", used by {user}", user=one.user) if one.user else ""
+    user = Message(", used by {user}", user=one.user) if one.user else EMPTY
     old = state.now - one.at
-    aged = Message(", {age} ago", age=age(old)) if old > SILENT_AFTER else ""
+    aged = Message(", {age} ago", age=age(old)) if old > SILENT_AFTER else EMPTY
     link = f" ({one.link})" if len(state.links) > 1 else ""
-    return f"{one.sort} {one.name}{link}: {one.state}{user}{aged}"
+    return Message(
+        "{sort} {name}{link}: {state}{user}{aged}",
+        sort=Message(one.sort),
+        name=one.name,
+        link=link,
+        state=one.state,
+        user=user,
+        aged=aged,
+    )
 
 
 def facility_conditions(state: FleetState) -> Iterator[Condition]:

@@ -13,14 +13,14 @@ TOGETHER = 0.3
 """Commands of one kind less than this many seconds apart are one request."""
 
 _WORDS = {
-    Stage.CONFIRMED: "confirmed",
-    Stage.LATE: "confirmed",
-    Stage.UNVERIFIABLE: "accepted",
-    Stage.REFUSED: "refused",
-    Stage.NOT_SENT: "not sent",
+    Stage.CONFIRMED: Message("confirmed"),
+    Stage.LATE: Message("confirmed"),
+    Stage.UNVERIFIABLE: Message("accepted"),
+    Stage.REFUSED: Message("refused"),
+    Stage.NOT_SENT: Message("not sent"),
 }
-_WELL = ("confirmed", "accepted")
-_OPEN = "open"
+_WELL = (Message("confirmed"), Message("accepted"))
+_OPEN = Message("open")
 
 
 def batches(records: Sequence[CommandRecord]) -> list[list[CommandRecord]]:
@@ -67,7 +67,7 @@ def batch_name(state: FleetState, commands: Sequence[Command]) -> Message:
 def summary(state: FleetState, batch: Sequence[CommandRecord]) -> tuple[Message, Message]:
     """Summarise a batch: `pause all` and `98 confirmed, 2 open (robot_5, robot_9)`. Open ones may still be
     carried out, or were, unseen."""
-    found: dict[str, list[CommandRecord]] = defaultdict(list)
+    found: dict[Message, list[CommandRecord]] = defaultdict(list)
     for record in batch:
         found[_WORDS.get(record.stage, _OPEN)].append(record)
     words = dict.fromkeys([*_WELL, *_WORDS.values(), _OPEN])
@@ -80,12 +80,12 @@ def summary(state: FleetState, batch: Sequence[CommandRecord]) -> tuple[Message,
     return batch_name(state, [record.command for record in batch]), joined(", ", parts)
 
 
-def _part(word: str, records: Sequence[CommandRecord]) -> Message:
+def _part(word: Message, records: Sequence[CommandRecord]) -> Message:
     if word in _WELL:
-        return Message("{count} {outcome}", count=len(records), outcome=Message(word))
+        return Message("{count} {outcome}", count=len(records), outcome=word)
     robots = some(list(dict.fromkeys(record.command.robot for record in records)))
     if word == _OPEN:
         return Message("{count} open ({robots})", count=len(records), robots=robots)
-    part = Message("{count} {outcome} ({robots})", count=len(records), outcome=Message(word), robots=robots)
+    part = Message("{count} {outcome} ({robots})", count=len(records), outcome=word, robots=robots)
     reasons = {record.detail for record in records}
     return joined(": ", filter(None, (part, *(reasons if len(reasons) == 1 else ()))))

@@ -31,7 +31,7 @@ from fleet_tui.rules.commands.order_search import find_order, queue_since
 from fleet_tui.rules.commands.pauses import WAITS, instead_of_pause, pause_seen
 from fleet_tui.rules.commands.set_up.confirmation import instead_of_set_up, set_up_seen
 from fleet_tui.situation.motion import is_moving
-from fleet_tui.text.language import Message, verbatim
+from fleet_tui.text.language import Message, joined, verbatim
 
 BIDDING = 15.0
 """Seconds for which fleets may bid for an order to any robot, before one has it."""
@@ -127,7 +127,7 @@ def _seen(state: FleetState, robot: Robot, record: CommandRecord, by_echo: bool)
             if record.stage is Stage.SENT:  # a goal, whose acceptance has no other answer
                 record = record.advanced(Step(Stage.ACCEPTED, state.now))
             step = Step(
-                Stage.CONFIRMED, state.now, Message("{in_queue}{name}", in_queue=IN_QUEUE, name=order.id)
+                Stage.CONFIRMED, state.now, Message("seen in the queue as order {name}", name=order.id)
             )
             return record.recognised(order, step)
         case CancelOrder() | ClearOrders():
@@ -145,7 +145,7 @@ def _seen(state: FleetState, robot: Robot, record: CommandRecord, by_echo: bool)
     return record if found is None else record.advanced(found)
 
 
-def _instead(state: FleetState, robot: Robot, record: CommandRecord) -> str:
+def _instead(state: FleetState, robot: Robot, record: CommandRecord) -> Message:
     """Return the evidence of telemetry if a command can't be seen to have been carried out."""
     offline = queue_since(robot, record) is None
     match record.command:
@@ -165,7 +165,9 @@ def _instead(state: FleetState, robot: Robot, record: CommandRecord) -> str:
                 Message("queue unknown before the command") if unknown else Message("order not in the queue")
             )
         case CancelOrder() | ClearOrders():
-            return ", ".join((_still_there(robot, record) or [])[:3]) or Message("no evidence in telemetry")
+            return joined(", ", (_still_there(robot, record) or [])[:3]) or Message(
+                "no evidence in telemetry"
+            )
         case _:
             assert_never(record.command)
 

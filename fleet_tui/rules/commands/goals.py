@@ -7,6 +7,7 @@ from msgspec.structs import replace
 
 from fleet_tui.model.navigation import Goal
 from fleet_tui.model.order import BEGUN, OVER, Order, OrderQueue, OrderState, Stop
+from fleet_tui.text.language import Message
 from fleet_tui.text.limits import MOST_ORDERS
 
 LISTED_FOR = 10.0
@@ -134,7 +135,7 @@ def _order_of(goal: Goal, offset: float | None) -> Order:
         None if goal.stamp is None or offset is None else goal.stamp + offset,
         "" if goal.stops else goal.label,
         goal.requester or goal.uuid,
-        goal.said or ("a stop was missed" if has_failed else ""),
+        goal.said or (Message("a stop was missed") if has_failed else ""),
     )
 
 

@@ -81,7 +81,7 @@ def _waiting_order(record: CommandRecord) -> Order:
 def bids_of(state: FleetState, robot: Robot) -> tuple[Order, ...]:
     """Return the orders to any robot for which fleets still bid, at the robot that they were given from."""
     return tuple(
-        Order(one.name, one.command.stops, None, "fleets bid", 0)
+        Order(one.name, one.command.stops, None, Message("fleets bid"), 0)
         for one in state.commands
         if one.command.robot == robot.name and isinstance(one.command, PlaceOrder) and is_bid(one)
     )

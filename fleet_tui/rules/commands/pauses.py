@@ -124,7 +124,7 @@ def late_goals(state: FleetState, record: CommandRecord) -> list[Goal]:
     return [goal for goal in active(robot.goals) if goal.listed_since > sent and not goal.is_ending]
 
 
-def instead_of_pause(state: FleetState, robot: Robot, record: CommandRecord) -> str:
+def instead_of_pause(state: FleetState, robot: Robot, record: CommandRecord) -> Message:
     """Return the evidence of telemetry if a pause or resume can't be seen to have been carried out."""
     wanted = isinstance(record.command, PauseRobot)
     if robot.kind.holds and not state.is_online(robot):
@@ -135,7 +135,7 @@ def instead_of_pause(state: FleetState, robot: Robot, record: CommandRecord) -> 
             for order in robot.orders.open
         ]
         is_moving = wanted and record.before.moving and not stopped(state, robot, record)
-        return ", ".join(going[:3]) or (
+        return joined(", ", going[:3]) or (
             Message("the robot was not seen to stop") if is_moving else Message("no evidence in telemetry")
         )
     if robot.paused is not None:

@@ -8,7 +8,7 @@ from msgspec import Struct
 from fleet_tui.model.graphs.document import DocumentEdge, DocumentFloor
 from fleet_tui.model.order import natural
 from fleet_tui.rules.graphs.elements import named
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import N_, Message
 from fleet_tui.text.sanitize import sanitize
 
 MOVED = 0.01
@@ -39,17 +39,14 @@ def _of_vertex(before: DocumentFloor, after: DocumentFloor, id_: str) -> list[Gr
     old, new = before.vertices.get(id_), after.vertices.get(id_)
     if old is None or new is None:
         one = new or old
-        kind = "removed" if new is None else "added"
+        kind = N_("removed") if new is None else N_("added")
         return [GraphChange(kind, Message("vertex {named}", named=named(one) if one else id_), id_)]
     found = []
     metres = math.dist((old.x, old.y), (new.x, new.y))
     both_nowhere = not math.isfinite(metres) and str((old.x, old.y)) == str((new.x, new.y))
     if not metres <= MOVED and not both_nowhere:
-        found.append(
-            GraphChange(
-                "moved", Message("vertex {named}: {metres} m", named=named(new), metres=f"{metres:.2f}"), id_
-            )
-        )
+        moved = Message("vertex {named}: {metres} m", named=named(new), metres=f"{metres:.2f}")
+        found.append(GraphChange(N_("moved"), moved, id_))
     if old.label != new.label:
         text: str = Message(
             "vertex {id}: {before} -> {after}",
@@ -57,7 +54,7 @@ def _of_vertex(before: DocumentFloor, after: DocumentFloor, id_: str) -> list[Gr
             before=_quoted(old.label),
             after=_quoted(new.label),
         )
-        found.append(GraphChange("relabelled", text, id_))
+        found.append(GraphChange(N_("relabelled"), text, id_))
     if old.type != new.type:
         text = Message(
             "vertex {named}: {before} -> {after}",
@@ -65,7 +62,7 @@ def _of_vertex(before: DocumentFloor, after: DocumentFloor, id_: str) -> list[Gr
             before=old.type or "plain",
             after=new.type or "plain",
         )
-        found.append(GraphChange("retyped", text, id_))
+        found.append(GraphChange(N_("retyped"), text, id_))
     return found
 
 
@@ -83,7 +80,7 @@ def _ways(edges: Mapping[str, DocumentEdge]) -> dict[str, _Way]:
 
 def _of_edge(old: _Way | None, new: _Way | None, id_: str) -> list[GraphChange]:
     if old is None or new is None:
-        kind, way = ("removed", old) if new is None else ("added", new)
+        kind, way = (N_("removed"), old) if new is None else (N_("added"), new)
         return (
             [GraphChange(kind, Message("edge {id} {way_text}", id=id_, way_text=_way_text(way)), "", id_)]
             if way
@@ -93,7 +90,7 @@ def _of_edge(old: _Way | None, new: _Way | None, id_: str) -> list[GraphChange]:
         return []
     return [
         GraphChange(
-            "rewired",
+            N_("rewired"),
             Message(
                 "edge {id}: {before} -> {after}",
                 id=id_,

@@ -22,7 +22,7 @@ from fleet_tui.rules.commands.order_ends import (
 )
 from fleet_tui.rules.history.activity import activity, may_do_anything
 from fleet_tui.rules.why.reason import name_of
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message, joined
 
 HOUR = 3600.0
 """Seconds at whose multiples spans are cut, so that a few hours of them are found quickly."""
@@ -219,11 +219,11 @@ def _ends_between_goals(state: FleetState, robot: Robot) -> Iterator[tuple[_Gone
             yield (first, one.at), _change(state, robot, order, None, state.now, end, reason)
 
 
-def _end_of(stage: Stage, detail: str = "") -> tuple[str, str]:
+def _end_of(stage: Stage, detail: Message = EMPTY) -> tuple[str, Message]:
     """Return the end and the reason of an order whose next goal was not taken."""
     if stage in ORDER_ENDS:
         return stage.value, detail
-    return Stage.FAILED.value, f"{stage.value}: {detail}".removesuffix(": ")
+    return Stage.FAILED.value, joined(": ", filter(None, (Message(stage.value), detail)))
 
 
 def _is_same(one: Order, other: Order) -> bool:

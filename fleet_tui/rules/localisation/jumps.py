@@ -6,7 +6,7 @@ from itertools import pairwise
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.movement import JUMPS_WITHIN
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message
 
 JUMP = 0.5
 JUMP_TURN = math.radians(30.0)
@@ -38,12 +38,12 @@ def is_jumping(robot: Robot, now: float) -> bool:
     return sum(gaps) >= JUMPS - 1 and sum(gaps) * STEPS > len(gaps)
 
 
-def pose_jump(before: Pose, after: Pose, seconds: float) -> str:
+def pose_jump(before: Pose, after: Pose, seconds: float) -> Message:
     """Return the jump between two poses in words, empty if the robot may have driven that far."""
     elapsed = max(0.0, seconds)
     metres = math.dist((before.x, before.y), (after.x, after.y))
     turns = math.remainder(before.yaw, math.tau), math.remainder(after.yaw, math.tau)
     turn = abs(math.remainder(turns[0] - turns[1], math.tau))
     if metres <= JUMP + FASTEST * elapsed and turn <= min(JUMP_TURN + FASTEST_TURN * elapsed, math.pi):
-        return ""
+        return EMPTY
     return Message("{metres} m and {degrees}°", metres=f"{metres:.1f}", degrees=f"{math.degrees(turn):.0f}")

@@ -11,7 +11,7 @@ from fleet_tui.model.grid import FREE, OCCUPIED, OccupancyGrid
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.commands.set_up.mode import mapping_text
 from fleet_tui.rules.localisation.off_route import is_off_route
-from fleet_tui.text.language import EMPTY, Message
+from fleet_tui.text.language import EMPTY, N_, Message
 from fleet_tui.text.units import age
 
 SIZE = 1.0, 1.0
@@ -21,8 +21,8 @@ BESIDE = 0.1
 
 LiveMaps = Mapping[str, OccupancyGrid]
 """By floors."""
-WALL = "pose inside a wall"
-OFF_ROUTE = "pose off the route graph"
+WALL = N_("pose inside a wall")
+OFF_ROUTE = N_("pose off the route graph")
 TURNS = 5
 """Parts of many robots that are looked at one after the other."""
 NOW = 1.0

@@ -57,8 +57,11 @@ def nearest(state: FleetState, places: Sequence[Place]) -> Nearest | None:
 
 def why_none(state: FleetState, places: Sequence[Place]) -> Message:
     """Return why no idle robot can drive an order, in one line."""
-    counted = Counter(why_not(state, robot) or "without a way" for robot in state.robots.values())
-    others = joined(", ", (f"{count} {reason}" for reason, count in counted.most_common()))
+    counted = Counter(why_not(state, robot) or Message("without a way") for robot in state.robots.values())
+    others = joined(
+        ", ",
+        (Message("{count} {reason}", count=count, reason=reason) for reason, count in counted.most_common()),
+    )
     asked = (
         Message("drive {name}", name=" -> ".join(place.name for place in places))
         if places[1:]

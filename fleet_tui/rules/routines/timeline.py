@@ -23,7 +23,7 @@ from fleet_tui.model.routines.blocks import (
 from fleet_tui.rules.language.lookup import Place
 from fleet_tui.rules.language.words import vertex_of
 from fleet_tui.rules.routes.order_draft import SPEED, Draft, draft_route
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message, joined, verbatim
 from fleet_tui.text.units import age
 
 MOST_ENTRIES = 200
@@ -45,7 +45,7 @@ class TimelineEntry(Struct, frozen=True):
     at: float
     seconds: float | None
     is_least: bool
-    note: str = ""
+    note: Message = EMPTY
 
 
 def timeline(robot: Robot, lane: LanePlan, wall: float, next_time: NextTime) -> list[TimelineEntry]:
@@ -68,11 +68,11 @@ class _Drawing:
         self._is_least = False
         self._at: Place | None = None
 
-    def blocks(self, blocks: Iterable[Block], note: str = "") -> bool:
+    def blocks(self, blocks: Iterable[Block], note: Message = EMPTY) -> bool:
         """Add blocks; tell whether anything can follow them."""
         for block in blocks:
             if len(self.entries) >= MOST_ENTRIES:
-                self._add(block, None, "and so on")
+                self._add(block, None, Message("and so on"))
                 return False
             match block:
                 case RepeatBlock():
@@ -83,12 +83,12 @@ class _Drawing:
                         return False
                 case GoBlock() | CarryBlock() | WaitBlock() | RunBlock():
                     seconds, why = self._estimate(block)
-                    self._add(block, seconds, ", ".join(part for part in (note, why) if part))
+                    self._add(block, seconds, joined(", ", filter(None, (note, why))))
                 case _:
                     assert_never(block)
         return True
 
-    def _add(self, block: Block, seconds: float | None, note: str) -> None:
+    def _add(self, block: Block, seconds: float | None, note: Message) -> None:
         entry = TimelineEntry(
             self._robot.name, block.line, block.text, self._now, seconds, self._is_least, note
         )
@@ -104,13 +104,13 @@ class _Drawing:
             if len(self.entries) == before:
                 break  # an empty round takes no time
         if block.times is None:
-            self._add(block, None, "again and again, until it is stopped")
+            self._add(block, None, Message("again and again, until it is stopped"))
         return block.times is not None
 
     def _if(self, block: IfBlock) -> bool:
         """Add both parts; the longer one counts."""
         began, at = self._now, self._at
-        goes_on = self.blocks(block.body, block.text)
+        goes_on = self.blocks(block.body, verbatim(block.text))
         ended, end, self._now, self._at = self._now, self._at, began, at
         goes_on = (
             self.blocks(
@@ -124,15 +124,15 @@ class _Drawing:
         self._is_least = True
         return goes_on
 
-    def _estimate(self, block: Leaf) -> tuple[float | None, str]:
+    def _estimate(self, block: Leaf) -> tuple[float | None, Message]:
         match block:
             case WaitBlock(until=TimeSpan(seconds)):
-                return seconds, ""
+                return seconds, EMPTY
             case WaitBlock(until=DayTime() as at):
                 now = self._wall + self._now
-                return self._next_time(at, now) - now, ""
+                return self._next_time(at, now) - now, EMPTY
             case WaitBlock():
-                return None, "unknown"
+                return None, Message("unknown")
             case RunBlock(within=within):
                 return None, Message("at most {age}", age=age(within))
             case GoBlock(place=place):
@@ -142,7 +142,7 @@ class _Drawing:
             case _:
                 assert_never(block)
 
-    def _way(self, *words: str) -> tuple[float | None, str]:
+    def _way(self, *words: str) -> tuple[float | None, Message]:
         """Return the seconds of a way from the last place, else from that of the robot, by the graph."""
         try:
             found = [vertex_of(self._robot, word) for word in words]
@@ -153,11 +153,11 @@ class _Drawing:
         draft = Draft(self._robot.name, tuple(stops), starts_here=self._at is None)
         self._at = places[-1]
         if len(set(stops)) == 1 and not draft.starts_here:
-            return 0.0, ""
+            return 0.0, EMPTY
         route = draft_route(self._robot, draft)
         if route is None or route.metres is None:
             return None, Message("route unknown")
-        return route.metres / SPEED, f"{route.metres:.0f} m"
+        return route.metres / SPEED, Message("{metres} m", metres=f"{route.metres:.0f}")
 
     def _place(self, vertex: str, floor: str) -> Place:
         floors = (name for name, one in self._robot.maps.items() if one.name_of(vertex) is not None)

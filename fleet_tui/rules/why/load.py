@@ -4,7 +4,7 @@ from collections import defaultdict
 
 from fleet_tui.model.counters import LinkCounter
 from fleet_tui.rules.why.reason import Reason, Strength
-from fleet_tui.text.language import Message, joined
+from fleet_tui.text.language import Message, counted, joined
 from fleet_tui.text.units import size_text
 
 NAMED = 3
@@ -25,7 +25,14 @@ def busiest(counter: LinkCounter, now: float) -> Reason | None:
     told = joined(
         ", ",
         (
-            f"{kind} {messages:.0f}/s, {size_text(int(size))}/s in {count} topic{'s' * (count != 1)}"
+            counted(
+                "{kind} {rate}/s, {size}/s in {count} topic",
+                "{kind} {rate}/s, {size}/s in {count} topics",
+                int(count),
+                kind=kind,
+                rate=f"{messages:.0f}",
+                size=size_text(int(size)),
+            )
             for kind, (count, messages, size) in first
         ),
     )

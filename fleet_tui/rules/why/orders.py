@@ -34,7 +34,7 @@ from fleet_tui.situation.links import is_late, unsourced
 from fleet_tui.situation.navigation import silent_navigation
 from fleet_tui.situation.robots import last_contact
 from fleet_tui.text.details import detail_text
-from fleet_tui.text.language import EMPTY, Message
+from fleet_tui.text.language import EMPTY, Message, joined
 from fleet_tui.text.units import age
 
 SHORT = 20.0
@@ -219,7 +219,7 @@ def stale_queue(state: FleetState, robot: Robot) -> Reason | None:
     )
 
 
-def _ruled_out(state: FleetState, robot: Robot) -> Iterator[str]:
+def _ruled_out(state: FleetState, robot: Robot) -> Iterator[Message]:
     if robot.obstacle is not None and last_contact(state, robot) is None:
         yield Message("no obstacle")
     if robot.paused is not None and not state.is_paused(robot):
@@ -234,9 +234,9 @@ def unexplained(state: FleetState, robot: Robot) -> Reason | None:
         return Reason(Message("cause unknown"), evidence, Strength.NONE, since, remedy=LOOK)
     if order is None:
         return None
-    ruled_out = ", ".join(_ruled_out(state, robot))
+    ruled_out = joined(", ", _ruled_out(state, robot))
     evidence = Message(
-        "{mission} active{ruled_out}", mission=mission(robot, order), ruled_out=ruled_out and f"; {ruled_out}"
+        "{mission} active{ruled_out}", mission=mission(robot, order), ruled_out=ruled_out and "; " + ruled_out
     )
     if since is not None and state.now - since < SHORT:  # a turn, a crossing, loading: it may drive on
         return Reason(

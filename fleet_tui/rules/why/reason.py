@@ -69,7 +69,7 @@ def mission(robot: Robot, order: Order) -> Message:
     number = (
         Message("order {id}, ", id=order.id)
         if order.id.isdigit() or not (order.stops or order.label)
-        else "order "
+        else Message("order ")
     )
     return Message(
         "{number}{label}",

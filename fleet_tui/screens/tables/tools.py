@@ -280,4 +280,4 @@ def _line(state: FleetState, command: Command, problem: Message, record: Command
     text = command_text(state, command)
     if record is None:
         return f"{text}: {translate(sanitize(problem)) or tr('sending')}"
-    return f"{text}: {stage_text(record, state.now)}{detail_text(translate(sanitize(record.detail)))}"
+    return f"{text}: {stage_text(record, state.now)}{translate(detail_text(sanitize(record.detail)))}"

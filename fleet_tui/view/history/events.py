@@ -57,7 +57,7 @@ class PastEvent(Struct, frozen=True):
         subject = f"{self.subject} " if self.subject else ""
         outcome = f": {translate(self.outcome)}" if self.outcome else ""
         what = self.what if self.kind is EventKind.NOTE else translate(self.what)  # a person's own words
-        return sanitize(f"{subject}{what}{outcome}{detail_text(translate(self.detail))}{by}")
+        return sanitize(f"{subject}{what}{outcome}{translate(detail_text(self.detail))}{by}")
 
 
 def past_events(

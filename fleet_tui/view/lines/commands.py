@@ -80,7 +80,7 @@ def _group_runs(
         text += tr(" +{count} more", count=len(records) - 1)
     role = StyleRole.ALARM if first.stage in TROUBLE else _ROLES.get(first.stage, StyleRole.DIM)
     # A robot's answer on accepting ("paused") is true only at that moment.
-    detail = "" if first.stage is commands.Stage.ACCEPTED else detail_text(translate(sanitize(first.detail)))
+    detail = "" if first.stage is commands.Stage.ACCEPTED else translate(detail_text(sanitize(first.detail)))
     runs = (text, StyleRole.TEXT), (f": {stage_text(first, state.now)}", role), (detail, StyleRole.DIM)
     others = sanitize(rivals_text(state, first.command.robot))
     return (

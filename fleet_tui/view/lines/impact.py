@@ -65,12 +65,12 @@ def why_impact(state: FleetState, robot: Robot) -> list[str]:
         others = [one for one in cut_orders(state, held_up) if one.robot != robot.name]
         if others:
             edge, what = edge_text(robot, held_up), tr("Blocked edge")
-            lines += ["", sanitize(f"{what} {edge} {impact_text(others, may=True)}")]
+            lines += ["", sanitize(f"{what} {edge} {translate(impact_text(others, may=True))}")]
             lines += [f"    {line}" for line in impact_lines(state, others, MOST_BESIDE)]
     closed = [edge for edge in state.desk.closed if edge.ends != held_up]
     for one in sorted(closed, key=lambda edge: edge.ends[0] != robot.floor)[: MOST_EDGES - bool(lines)]:
         cut, by = cut_orders(state, one.ends), tr("Closed by {by}:", by=one.by or tr("this console"))
-        lines += ["", sanitize(f"{by} {edge_text(robot, one.ends)} {impact_text(cut)}")]
+        lines += ["", sanitize(f"{by} {edge_text(robot, one.ends)} {translate(impact_text(cut))}")]
         lines += [f"    {line}" for line in impact_lines(state, cut, MOST_BESIDE)]
     return lines
 

@@ -78,7 +78,7 @@ def _state(state: FleetState, robot: Robot, complaints: Sequence[Complaint]) -> 
     for one in complaints:
         role = StyleRole.ALARM if one.is_error else StyleRole.WARN
         for n, runs in enumerate(_packed([(sanitize(one.text), role)], STATE - NAME)):
-            yield named(tr("") if n else Message("Reports"), *runs)
+            yield named(tr("") if n else tr("Reports"), *runs)
     yield from value_rows(state, robot, STATE)
     yield from vehicle_rows(state, robot)
 

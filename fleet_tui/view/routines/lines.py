@@ -33,7 +33,7 @@ def timeline_lines(entries: Sequence[TimelineEntry]) -> Iterator[str]:
         for entry in of_robot:
             at = _clock(entry.at, entry.is_least)
             lasts = "" if entry.seconds is None else tr("about {age}", age=age(entry.seconds))
-            notes = ", ".join(part for part in (lasts, entry.note) if part)
+            notes = ", ".join(part for part in (lasts, translate(entry.note)) if part)
             yield sanitize(
                 f"{at:>8}  "
                 + tr("line {line} {text}", line=f"{entry.line:<4}", text=entry.text)

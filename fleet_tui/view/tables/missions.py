@@ -114,4 +114,4 @@ def whose_mission(state: FleetState, robot: Robot, order: Order) -> str:
 
 def way(robot: Robot, stops: tuple[Stop, ...]) -> str:
     """Return stops by their labels."""
-    return route_text(stops, partial(place, robot)) if stops else translate(route_text((), str))
+    return translate(route_text(stops, partial(place, robot)))

@@ -14,7 +14,7 @@ from fleet_tui.rules.why.place import place_text
 from fleet_tui.situation.facts import AGE_UNKNOWN
 from fleet_tui.situation.links import is_late
 from fleet_tui.situation.robots import adrift
-from fleet_tui.text.language import N_, Message, tr, translate
+from fleet_tui.text.language import N_, tr, translate
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import age, duration
 from fleet_tui.view.lines.commands import command_text, stage_text
@@ -67,7 +67,7 @@ def _alarms(state: FleetState, robot: Robot, width: int) -> Iterator[tuple[Run, 
             yield named(tr("Alarm"), (translate(sanitize(without_cause(alarm, alarm.text))), StyleRole.TEXT))
             continue
         for n, line in enumerate(wrap(translate(sanitize(alarm.text)), max(20, width))):
-            yield named(tr("") if n else Message("Alarm"), (line, StyleRole.TEXT))
+            yield named(tr("") if n else tr("Alarm"), (line, StyleRole.TEXT))
         for line in wrap(translate(action_of(alarm.condition)), max(20, width)):
             yield named(tr(""), (line, StyleRole.DIM))
 
@@ -124,8 +124,8 @@ def _place(state: FleetState, robot: Robot) -> Iterator[tuple[Run, ...]]:
         yield named(tr("Mode"), (translate(sanitize(mode)), role))
     if robot.relocated is not None:
         yield named(
-            Message("Jumped"),
-            (f"{sanitize(robot.relocated.value):<{VALUE}}", StyleRole.TEXT),
+            tr("Jumped"),
+            (f"{translate(sanitize(robot.relocated.value)):<{VALUE}}", StyleRole.TEXT),
             (tr("{age} ago", age=age(state.now - robot.relocated.at)), StyleRole.DIM),
         )
 

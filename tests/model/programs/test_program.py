@@ -9,6 +9,7 @@ from fleet_tui.model.programs.program import (
     ProgramState,
     ProgramStatus,
 )
+from fleet_tui.text.language import Message
 
 
 def test_a_state_is_unknown_before_the_first_look_and_when_it_is_old() -> None:
@@ -20,6 +21,5 @@ def test_a_state_is_unknown_before_the_first_look_and_when_it_is_old() -> None:
 
 def test_only_a_confirmed_change_is_done() -> None:
     assert ChangeOutcome(CONFIRMED).is_confirmed and not ChangeOutcome(REFUSED).is_confirmed
-    assert (
-        ChangeOutcome(REFUSED, "why").text == "refused (why)" and ChangeOutcome(CONFIRMED).text == "confirmed"
-    )
+    assert ChangeOutcome(REFUSED, Message("why")).text == "refused (why)"
+    assert ChangeOutcome(CONFIRMED).text == "confirmed"

@@ -30,8 +30,8 @@ def test_nothing_from_a_file_reaches_the_terminal_as_it_is() -> None:
 
 def test_a_timeline_has_each_robot_with_its_times() -> None:
     entries = [
-        TimelineEntry("robot_0", 2, "go A", 0.0, 64.0, False, "32 m"),
-        TimelineEntry("robot_0", 3, "run x", 64.0, None, True, "duration unknown"),
+        TimelineEntry("robot_0", 2, "go A", 0.0, 64.0, False, Message("32 m")),
+        TimelineEntry("robot_0", 3, "run x", 64.0, None, True, Message("duration unknown")),
         TimelineEntry("robot_1", 2, "go A", 0.0, 4.0, False),
     ]
     assert list(timeline_lines(entries)) == [

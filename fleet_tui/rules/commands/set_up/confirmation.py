@@ -152,7 +152,7 @@ def present_graph(robot: Robot, floor: str) -> Message:
     return counts_text(len(now.graph.vertices), len(now.graph.edges), len(now.labels))
 
 
-def instead_of_set_up(robot: Robot, record: CommandRecord, command: SetUp) -> str:
+def instead_of_set_up(robot: Robot, record: CommandRecord, command: SetUp) -> Message:
     """Return the evidence of telemetry if a set-up command can't be seen to have been carried out."""
     match command:
         case SetPose(_, floor, wanted):
