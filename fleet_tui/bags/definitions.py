@@ -54,18 +54,17 @@ def typestore(connection: Any) -> Any:
         if name not in store.fielddefs:
             raise BagError(
                 Message(
-                    "the definition of {truncate} is not in the bag:"
-                    " record as mcap, or with ROS 2 Iron or newer",
-                    truncate=truncate(name, LONGEST_NAME),
+                    "the definition of {type} is not in the bag: record as mcap, or with ROS 2 Iron or newer",
+                    type=truncate(name, LONGEST_NAME),
                 )
             )
     else:
         if len(text) > LONGEST:
             raise BagError(
                 Message(
-                    "the definition of {truncate} has {text} characters",
-                    truncate=truncate(name, LONGEST_NAME),
-                    text=f"{len(text):,}",
+                    "the definition of {type} has {count} characters",
+                    type=truncate(name, LONGEST_NAME),
+                    count=f"{len(text):,}",
                 )
             )
         types = _of_msg(text, name) if form is MessageDefinitionFormat.MSG else _of_idl(text)
@@ -110,9 +109,9 @@ def _fields(text: str, owner: str) -> Fields:
             if line and not line.startswith("@"):
                 raise BagError(
                     Message(
-                        "the definition of {owner} has an invalid line: {truncate}",
+                        "the definition of {owner} has an invalid line: {text}",
                         owner=owner,
-                        truncate=f"{truncate(line, 80)!r}",
+                        text=f"{truncate(line, 80)!r}",
                     )
                 )
             continue
@@ -151,7 +150,7 @@ class _Check:
             return 2
         if name not in self._types or not _TYPE_NAME.fullmatch(name):
             raise BagError(
-                Message("{about} lacks {truncate}", about=self._about, truncate=truncate(name, LONGEST_NAME))
+                Message("{about} lacks {name}", about=self._about, name=truncate(name, LONGEST_NAME))
             )
         if depth > DEEPEST:
             raise BagError(Message("{about} is nested too deep", about=self._about))
@@ -183,9 +182,9 @@ class _Check:
         if what[0] not in BASE:
             raise BagError(
                 Message(
-                    "{about} has {truncate}, which is not supported",
+                    "{about} has {name}, which is not supported",
                     about=self._about,
-                    truncate=truncate(str(what[0]), 20),
+                    name=truncate(str(what[0]), 20),
                 )
             )
         return times if what[0] == "string" else 1

@@ -57,20 +57,19 @@ def doubt(path: Path, owner: int | None = None, is_for_group: bool = False) -> M
         if status.st_uid not in owners and not (for_group and _is_of(status.st_uid, status.st_gid)):
             link = "-h " if stat.S_ISLNK(status.st_mode) else ""
             return Message(
-                "{place} is not owned by {names}: chown {link}{names2} {place2}",
+                "{place} is not owned by {names}: chown {link}{owner} {place}",
                 place=place,
                 names=" or ".join(names),
                 link=link,
-                names2=names[0],
-                place2=place,
+                owner=names[0],
             )
         if stat.S_ISLNK(status.st_mode):  # its mode says nothing
             continue
         shared = EMPTY
         if status.st_mode & stat.S_IWOTH:
-            shared = Message("{place} is writable by everyone: chmod o-w {place2}", place=place, place2=place)
+            shared = Message("{place} is writable by everyone: chmod o-w {place}", place=place)
         elif status.st_mode & stat.S_IWGRP and not for_group and _lets_others(place, status, names):
-            shared = Message("{place} is writable by others: chmod g-w {place2}", place=place, place2=place)
+            shared = Message("{place} is writable by others: chmod g-w {place}", place=place)
         if shared and not (stat.S_ISDIR(status.st_mode) and status.st_mode & stat.S_ISVTX):
             return shared
     return EMPTY

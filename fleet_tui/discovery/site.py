@@ -70,10 +70,9 @@ class DiscoveredSite:
             raise FleetError(
                 Message(
                     "{shown}: no robot found among {topics} topics: start the robot nodes,"
-                    " or name their topics: fleet-tui config init --from-live {shown2}",
+                    " or name their topics: fleet-tui config init --from-live {shown}",
                     shown=self.bridge.shown,
                     topics=self.topics,
-                    shown2=self.bridge.shown,
                 )
             )
         try:

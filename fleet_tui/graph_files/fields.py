@@ -50,9 +50,9 @@ def elements(value: Any, where: str, most: int) -> list[Any]:
     if len(value) > most:
         raise GraphError(
             Message(
-                "{where}: {value} elements, at most {most} are supported",
+                "{where}: {count} elements, at most {most} are supported",
                 where=where,
-                value=f"{len(value):,}",
+                count=f"{len(value):,}",
                 most=f"{most:,}",
             )
         )
@@ -78,10 +78,10 @@ def text(value: Any, where: str) -> str:
     if len(value) > LONGEST_TEXT:
         raise GraphError(
             Message(
-                "{where}: a text of {value} characters, at most {longest_text}",
+                "{where}: a text of {count} characters, at most {most}",
                 where=where,
-                value=f"{len(value):,}",
-                longest_text=f"{LONGEST_TEXT:,}",
+                count=f"{len(value):,}",
+                most=f"{LONGEST_TEXT:,}",
             )
         )
     return str(value)
@@ -104,7 +104,7 @@ def number(value: Any, where: str) -> float:
         return float(found)
     except OverflowError:
         raise GraphError(
-            Message("{where}: a number of {value} digits", where=where, value=f"{len(str(value)):,}")
+            Message("{where}: a number of {count} digits", where=where, count=f"{len(str(value)):,}")
         ) from None
 
 
@@ -116,9 +116,9 @@ def index(value: Any, size: int, where: str) -> int:
     if not 0 <= found < size:
         raise GraphError(
             Message(
-                "{where}: unknown vertex {truncate}, the last one is {size}",
+                "{where}: unknown vertex {vertex}, the last one is {size}",
                 where=where,
-                truncate=truncate(str(found), 40),
+                vertex=truncate(str(found), 40),
                 size=size - 1,
             )
         )

@@ -77,9 +77,9 @@ def _id(value: Any, where: str) -> str:
     if isinstance(value, bool) or not isinstance(value, int) or value < 0:
         raise GraphError(
             Message(
-                "{where}: {truncate} instead of a whole number from 0 on",
+                "{where}: {given} instead of a whole number from 0 on",
                 where=where,
-                truncate=truncate(repr(value), 40),
+                given=truncate(repr(value), 40),
             )
         )
     return str(value)

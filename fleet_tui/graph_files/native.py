@@ -123,9 +123,9 @@ def read(tree: Any, choices: ReadChoices) -> GraphFile:
     if version != VERSION:
         raise GraphError(
             Message(
-                "version {version} of the format: this program reads {version2}; update it",
+                "version {version} of the format: this program reads {own_version}; update it",
                 version=f"{version:g}",
-                version2=VERSION,
+                own_version=VERSION,
             )
         )
     name = fields.optional(table, "name", fields.text, "file") or ""

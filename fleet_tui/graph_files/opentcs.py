@@ -61,7 +61,7 @@ def parse_xml(text: str) -> Element:
             )
         ) from None
     except (ValueError, RecursionError) as problem:
-        raise GraphError(Message("not XML: {truncate}", truncate=truncate(str(problem), 200))) from None
+        raise GraphError(Message("not XML: {problem}", problem=truncate(str(problem), 200))) from None
     if not isinstance(root, Element):
         raise GraphError(Message("not XML: no element"))
     return root
@@ -74,7 +74,7 @@ def read(tree: Any, choices: ReadChoices) -> GraphFile:
     if version.partition(".")[0] not in VERSIONS:
         raise GraphError(
             Message(
-                "plant model {truncate}: save it with openTCS 6 or 7", truncate=f"{truncate(version, 20)!r}"
+                "plant model {version}: save it with openTCS 6 or 7", version=f"{truncate(version, 20)!r}"
             )
         )
     points, locations = (_elements(root, tag, MOST_VERTICES) for tag in ("point", "location"))
@@ -107,8 +107,8 @@ def _elements(root: Element, tag: str, most: int) -> list[Element]:
     if len(found) > most:
         raise GraphError(
             Message(
-                "{found} {tag}s, at most {most} are supported",
-                found=f"{len(found):,}",
+                "{count} {tag}s, at most {most} are supported",
+                count=f"{len(found):,}",
                 tag=tag,
                 most=f"{most:,}",
             )
@@ -179,7 +179,7 @@ def _heading(point: Element) -> float | None:
     except ValueError:
         where = f"point {truncate(_name(point), 40)!r} vehicleOrientationAngle"
         raise GraphError(
-            Message("{where}: {truncate} instead of degrees", where=where, truncate=truncate(repr(text), 40))
+            Message("{where}: {given} instead of degrees", where=where, given=truncate(repr(text), 40))
         ) from None
     return math.radians(degrees) if math.isfinite(degrees) else None
 
@@ -260,8 +260,8 @@ def _control_points(path: Element, scale: tuple[float, float]) -> Polyline:
         except ValueError:
             raise GraphError(
                 Message(
-                    "path {truncate}: a control point without x and y",
-                    truncate=f"{truncate(_name(path), 40)!r}",
+                    "path {name}: a control point without x and y",
+                    name=f"{truncate(_name(path), 40)!r}",
                 )
             ) from None
         found.append((x * scale[0], -y * scale[1]))

@@ -34,7 +34,7 @@ def read_graph(text: str, format_: GraphFormat | None, choices: ReadChoices) -> 
         raise GraphError(Message("no known format; {known}", known=KNOWN))
     if found is not None and found is not chosen and not {chosen, found} <= _ALIKE:
         raise GraphError(
-            Message("not {value} but {value2}: leave out --from", value=chosen.value, value2=found.value)
+            Message("not {chosen} but {actual}: leave out --from", chosen=chosen.value, actual=found.value)
         )
     return _reader(chosen)(tree, choices)
 

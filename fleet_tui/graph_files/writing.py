@@ -37,16 +37,16 @@ def write_graph(document: GraphDocument, format_: GraphFormat, choices: WriteCho
         writable = ", ".join(one.value for one in WRITERS)
         raise GraphError(
             Message(
-                "{value} can be read, not written: choose one of {writable}",
-                value=format_.value,
+                "{format} can be read, not written: choose one of {writable}",
+                format=format_.value,
                 writable=writable,
             )
         )
     if format_ in ONE_FLOOR and len(document.floors) != 1:
         names = tuple(document.floors)
         text = Message(
-            "{value} has a file for each floor: choose one of {names}",
-            value=format_.value,
+            "{format} has a file for each floor: choose one of {names}",
+            format=format_.value,
             names=", ".join(names[:10]) or "none",
         )
         raise MissingChoiceError(text, "--floor", names)
@@ -58,9 +58,9 @@ def write_graph(document: GraphDocument, format_: GraphFormat, choices: WriteCho
     except (TypeError, ValueError, LookupError, AttributeError) as problem:
         # Only `extra` is unchecked: a native file may have anything there.
         text = Message(
-            "contents kept for {value} are not as the format has them: {truncate}",
-            value=format_.value,
-            truncate=truncate(str(problem), 80),
+            "contents kept for {format} are not as the format has them: {problem}",
+            format=format_.value,
+            problem=truncate(str(problem), 80),
         )
         raise GraphError(text) from problem
 
@@ -76,17 +76,17 @@ def _check(floor: DocumentFloor) -> None:
         if not (math.isfinite(vertex.x) and math.isfinite(vertex.y)):
             raise GraphError(
                 Message(
-                    "vertex {name} on {name2}: x or y is not finite: correct it first",
+                    "vertex {name} on {floor}: x or y is not finite: correct it first",
                     name=vertex.id,
-                    name2=floor.name,
+                    floor=floor.name,
                 )
             )
         if vertex.heading is not None and not math.isfinite(vertex.heading):
             raise GraphError(
                 Message(
-                    "vertex {name} on {name2}: heading is not finite: correct it first",
+                    "vertex {name} on {floor}: heading is not finite: correct it first",
                     name=vertex.id,
-                    name2=floor.name,
+                    floor=floor.name,
                 )
             )
     for edge in floor.edges.values():
@@ -94,18 +94,18 @@ def _check(floor: DocumentFloor) -> None:
         if lost:
             raise GraphError(
                 Message(
-                    "edge {name} on {name2}: unknown vertex {lost}: correct it first",
+                    "edge {name} on {floor}: unknown vertex {vertex}: correct it first",
                     name=edge.id,
-                    name2=floor.name,
-                    lost=lost[0],
+                    floor=floor.name,
+                    vertex=lost[0],
                 )
             )
         numbers = edge.speed, edge.speed_percent, edge.cost, edge.length
         if not all(math.isfinite(one) for one in numbers if one is not None):
             raise GraphError(
                 Message(
-                    "edge {name} on {name2}: a value is not finite: correct it first",
+                    "edge {name} on {floor}: a value is not finite: correct it first",
                     name=edge.id,
-                    name2=floor.name,
+                    floor=floor.name,
                 )
             )

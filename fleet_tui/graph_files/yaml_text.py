@@ -87,9 +87,9 @@ class _Builder:
             if self._key in holder:
                 raise GraphError(
                     Message(
-                        "line {line}: key {truncate} twice: remove one",
+                        "line {line}: key {key} twice: remove one",
                         line=line,
-                        truncate=f"{truncate(self._key, 40)!r}",
+                        key=f"{truncate(self._key, 40)!r}",
                     )
                 )
         else:
@@ -101,14 +101,14 @@ class _Builder:
         if anchor in self._open:
             raise GraphError(
                 Message(
-                    "line {line}: alias *{truncate} within its own value: write it out",
+                    "line {line}: alias *{alias} within its own value: write it out",
                     line=line,
-                    truncate=truncate(anchor, 40),
+                    alias=truncate(anchor, 40),
                 )
             )
         if anchor not in self._anchors:
             raise GraphError(
-                Message("line {line}: unknown alias *{truncate}", line=line, truncate=truncate(anchor, 40))
+                Message("line {line}: unknown alias *{alias}", line=line, alias=truncate(anchor, 40))
             )
         value, size = self._anchors[anchor]
         self.count += size
@@ -157,10 +157,10 @@ def parse_yaml(text: str) -> Any:
         ) from None
     except yaml.YAMLError as problem:
         raise GraphError(
-            Message("not YAML: {truncate}", truncate=truncate(" ".join(str(problem).split()), 200))
+            Message("not YAML: {problem}", problem=truncate(" ".join(str(problem).split()), 200))
         ) from None
     except (RecursionError, ValueError) as problem:
-        raise GraphError(Message("not YAML: {truncate}", truncate=truncate(str(problem), 200))) from None
+        raise GraphError(Message("not YAML: {problem}", problem=truncate(str(problem), 200))) from None
     return builder.result
 
 
@@ -197,9 +197,9 @@ def _check_tag(event: Any) -> None:
         line = event.start_mark.line + 1
         raise GraphError(
             Message(
-                "line {line}: tag {truncate} not supported: remove it",
+                "line {line}: tag {tag} not supported: remove it",
                 line=line,
-                truncate=f"{truncate(event.tag, 40)!r}",
+                tag=f"{truncate(event.tag, 40)!r}",
             )
         )
 

@@ -63,10 +63,9 @@ def _check_certificate(key: str, name: str) -> None:
         file = Path(name).name
         raise LinkError(
             Message(
-                "{key}: no PEM certificate in {file}: convert it, or correct {key2}",
+                "{key}: no PEM certificate in {file}: convert it, or correct {key}",
                 key=key,
                 file=file,
-                key2=key,
             )
         ) from None
 

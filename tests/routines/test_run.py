@@ -166,7 +166,7 @@ def test_an_order_of_an_earlier_process_is_followed(tmp_path: Path) -> None:
 def test_a_progress_that_fits_no_line_is_refused(tmp_path: Path) -> None:
     before = Desk(tmp_path, "for robot_0\ngo Base\nend\n").saved[-1]
     astray = Lane("robot_0", (Position(index=3), Position()))
-    with pytest.raises(RoutineError, match="does not fit the file: start it again"):
+    with pytest.raises(RoutineError, match="does not match the file: start it again"):
         Desk(tmp_path, "for robot_0\ngo Base\nend\n", replace(before, lanes=(astray,)))
 
 

@@ -105,7 +105,7 @@ async def test_without_a_link_it_is_held_and_a_person_resumes(
         await it.press("down", "enter", "1")
         await it.shows("● running", PANE)
         await it.press("enter")
-        await it.shows("Pause: running orders go on")
+        await it.shows("Pause: running orders continue")
         await it.press("1")
         await it.shows("◇ paused", PANE)
         await it.press("enter", "3")
@@ -148,7 +148,7 @@ async def test_leaving_is_asked_and_the_next_console_takes_it_up(
     async with with_routines(server, tmp_path) as it:
         await start_day(it)
         await it.press("escape", "q")
-        await it.shows("Leave day? Running orders go on")
+        await it.shows("Leave day? Running orders continue")
         await it.pilot.press("y")
     async with with_routines(server, tmp_path) as it:
         await it.press("B")

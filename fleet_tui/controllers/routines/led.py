@@ -29,7 +29,7 @@ from fleet_tui.routines.progress import RoutineProgress, progress_path, resumabl
 from fleet_tui.routines.run import RoutineRun, RunParts
 from fleet_tui.rules.routines.orders import objection
 from fleet_tui.state.store import Store
-from fleet_tui.text.language import EMPTY, Message, joined, translate
+from fleet_tui.text.language import EMPTY, Message, translate
 from fleet_tui.text.sanitize import sanitize
 
 UNTOLD = ("resumed", "step")
@@ -107,9 +107,9 @@ class LedRoutines:
                 self._notices.say(
                     sanitize(
                         Message(
-                            "{name} {name2}: not resumed: {refusal}",
+                            "{name} {robot}: not resumed: {refusal}",
                             name=run.file.name,
-                            name2=name,
+                            robot=name,
                             refusal=refusal,
                         )
                     )
@@ -161,8 +161,11 @@ class LedRoutines:
         if not self.runs:
             return EMPTY
         names = sanitize(", ".join(self.runs))
-        leave = Message("Leave {names}? Running orders go on, nothing follows.", names=names)
-        return joined("\n", (leave, Message("In the next console B continues it.")))
+        return Message(
+            "Leave {names}? Running orders continue, nothing new starts.\n"
+            "In the next console B continues it.",
+            names=names,
+        )
 
     def close(self) -> None:
         """Leave the routines, so that they can be continued."""

@@ -49,7 +49,7 @@ async def test_the_difference_from_the_live_graph_is_listed_by_id() -> None:
         assert it.mode.selected == "3"
         it.editor.undo()
         it.desk.menus[1].choose("added")
-        assert "not in the draft any more" in it.desk.notices.text
+        assert "no longer in the draft" in it.desk.notices.text
 
 
 async def test_an_order_that_names_a_removed_vertex_is_an_error() -> None:

@@ -46,7 +46,7 @@ def test_it_sends_orders_and_saves_each_step(tmp_path: Path, file: RoutineFile) 
     assert not desk.led.tick() and len(desk.backend.submitted) == 1
     saved = load_progress(progress_path(desk.place.state, file.path))
     assert saved is not None and saved.lanes[0].phase is LanePhase.ORDERED
-    assert desk.led.losses.startswith("Leave day? Running orders go on")
+    assert desk.led.losses.startswith("Leave day? Running orders continue")
 
 
 def test_a_console_without_permission_starts_nothing_and_lets_nothing_follow(

@@ -113,7 +113,7 @@ def test_a_pose_that_crosses_walls_stays_worth_a_look_with_its_age() -> None:
     first = reasons(state, robot)[0]
     assert (first.name, first.strength) == ("in a wall 12 s ago", Strength.LIKELY)
     assert first.seen == T0
-    assert "has just been" in first.evidence and first.remedy.startswith("Set its pose")
+    assert "was just at an impossible place" in first.evidence and first.remedy.startswith("Set its pose")
     over = left(HELD + 1.0)
     assert misplaced_text(over, over.robots[R0]) == "" and not to_look_at(over)
 

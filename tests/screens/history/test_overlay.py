@@ -106,7 +106,7 @@ async def test_one_key_from_an_alarm_opens_the_recording(
         await it.press("4")
         await it.shows("stuck robot_0", "history-rows")
         await it.press("o")
-        await it.shows("this terminal can't be given to a recording", "history-keys")
+        await it.shows("a recording can't use this terminal", "history-keys")
         assert ran == []  # under a pilot there is no terminal to give
 
 

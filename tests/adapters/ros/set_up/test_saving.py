@@ -41,13 +41,13 @@ def test_a_path_is_the_profiles() -> None:
 )
 def test_no_other_character_reaches_a_shell(name: str) -> None:
     for command in (StoreMap("tb2", name), StorePoseGraph("tb2", name)):
-        with pytest.raises(CommandError, match="is no name for a map"):
+        with pytest.raises(CommandError, match="is not a map name"):
             asked(command)
 
 
 def test_nor_does_one_of_a_robot_or_floor() -> None:
     template = {"map_save": {"name": {"data": "{floor}_{name}"}}}
-    with pytest.raises(CommandError, match="floor 'hall; reboot' is no name"):
+    with pytest.raises(CommandError, match="floor 'hall; reboot' is not a map name"):
         it = adapter(requests=template)
         it.outgoing(HALL, 1, replace(robot(), floor="hall; reboot"))
     (call,) = adapter(requests=template).outgoing(HALL, 1, replace(robot(), floor="hall"))
