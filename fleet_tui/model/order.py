@@ -8,7 +8,7 @@ from functools import lru_cache
 from msgspec import Struct
 
 from fleet_tui.model.geometry import Pose
-from fleet_tui.text.language import N_, Message, joined, verbatim
+from fleet_tui.text.language import N_, Message, verbatim
 
 _DIGITS = re.compile(r"([0-9]+)")
 
@@ -72,7 +72,7 @@ def route_text(stops: tuple[Stop, ...], name: Callable[[str], str]) -> Message:
     names = [name(stop.vertex) if stop.pose is None else pose_text(stop.pose) for stop in stops]
     if not names:
         return Message("to a point")
-    return joined(" -> ", names) if len(names) > 1 else Message("-> {names}", names=names[0])
+    return verbatim(" -> ".join(names)) if len(names) > 1 else Message("-> {names}", names=names[0])
 
 
 def pose_text(pose: Pose) -> str:

@@ -64,7 +64,10 @@ def counted(one: str, many: str, count: int, /, **values: object) -> Message:
 
 def verbatim(text: object) -> Message:
     """Return what a robot, a person or a file says: it is never looked up."""
-    return Message("{text}", text=text)
+    said = text_of(text)
+    made = str.__new__(Message, said)
+    made.id, made.many, made.values = "{text}", "", {"text": said}
+    return made
 
 
 def text_of(value: object) -> str:

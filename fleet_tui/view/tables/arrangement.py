@@ -67,8 +67,8 @@ class RowArrangement:
         self, columns: Sequence[Column[Item]], named: Callable[[Item], str] | None, at: float
     ) -> Callable[[Item], Callable[[str], str]]:
         """Return what returns the texts of an item for a filter, as `is_wanted` asks for them."""
-        by_name = {one.name: one.found for one in columns}
-        common = [one.found for one in columns if one.name and not one.is_apart]
+        by_name = {one.name: one.text or one.found for one in columns}
+        common = [by_name[one.name] for one in columns if one.name and not one.is_apart]
 
         def of(item: Item) -> Callable[[str], str]:
             known = self._texts_of(named(item), at) if named is not None else {}
