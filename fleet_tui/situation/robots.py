@@ -247,13 +247,15 @@ def adrift(state: FleetState, robot: Robot) -> Fact | None:
     pose, located, located_at = robot.pose, robot.located, robot.located_at
     if pose is None or located is None or located_at is None or not state.is_fresh(robot, "pose"):
         return None
-    metres = math.dist((located.x, located.y), (pose.value.x, pose.value.y))
-    how: Message = Message("{metres} m by its wheels alone", metres=f"{metres:.0f}")
-    since = robot.adrift_at
+    since, repeats = robot.adrift_at, False
     if since is None and _repeats_feedback(state, robot):
-        how, since = Message("its feedback repeats the last pose"), located_at
+        since, repeats = located_at, True
     if since is None or state.now - since < ADRIFT_FOR:
         return None
+    metres = math.dist((located.x, located.y), (pose.value.x, pose.value.y))
+    how = Message("{metres} m by its wheels alone", metres=f"{metres:.0f}")
+    if repeats:
+        how = Message("its feedback repeats the last pose")
     silence = age(state.now - located_at)
     return Fact(
         ADRIFT,

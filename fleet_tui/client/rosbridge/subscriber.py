@@ -71,6 +71,8 @@ class Subscriber:
         at_times = {feed.address for feed in self._at_times}
         self._renewals = Renewals({*regular, *at_times, *self._robots}, len(self._feeds))
         self.types: dict[str, str] = {}
+        self._lists_ros2 = False
+        """Some of these types are ones of ROS 2: asked for each of thousands of topics."""
         """Type by topic, as last listed by rosapi; empty if it does not answer."""
         self._refused: set[str] = set()
         self._renewed: dict[str, float] = {}
@@ -100,7 +102,7 @@ class Subscriber:
         self._task = asyncio.ensure_future(self._begin())
 
     async def _begin(self) -> None:
-        self.types = await topic_types(self._calls)
+        await self._list_types()
         # First, to receive the bridge's warnings about the others.
         # A bridge without rosapi, or that does not allow it, is of the ROS that is configured.
         self.log_subscription.subscribe(self.types or {feed.address: feed.type for feed in self._feeds})
@@ -118,6 +120,10 @@ class Subscriber:
         self._report_progress(total, total)
         if self._is_ros2:
             self._latched.start(PER_TOPIC * len(self._of_latched()))
+
+    async def _list_types(self) -> None:
+        self.types = await topic_types(self._calls)
+        self._lists_ros2 = any("/msg/" in type_ for type_ in self.types.values())
 
     @property
     def topics(self) -> int:
@@ -143,7 +149,7 @@ class Subscriber:
     @property
     def _is_ros2(self) -> bool:
         """Tell whether the bridge may be one of ROS 2, by the types if rosapi lists them."""
-        return not self.types or any("/msg/" in type_ for type_ in self.types.values())
+        return not self.types or self._lists_ros2
 
     def _of_latched(self) -> list[Feed]:
         """The requested latched topics that may come without the right QoS: not those of actions, which all
@@ -203,7 +209,7 @@ class Subscriber:
         for wanted in renewed:
             self._unsubscribe(wanted)
         await asyncio.sleep(release_time)
-        self.types = await topic_types(self._calls)
+        await self._list_types()
         for wanted in renewed:
             self._subscribe(wanted)
         awaited = [one.address for one in renewed if _is_regular(one) or one.address in silent]
@@ -275,8 +281,7 @@ class Subscriber:
     def _may_lose(self, wanted: Feed) -> bool:
         """Tell whether the bridge need keep no message of a topic: a next one follows, and the bridge is
         certainly of ROS 2, on which a client that does not read hurts nobody. It has a thread less then."""
-        is_ros2 = any("/msg/" in type_ for type_ in self.types.values())
-        return is_ros2 and _is_regular(wanted) and wanted.queue_length == 1
+        return self._lists_ros2 and _is_regular(wanted) and wanted.queue_length == 1
 
     def _expect_cbor(self, wanted: Feed) -> None:
         """Request a topic as JSON if it does not come as CBOR."""
