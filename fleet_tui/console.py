@@ -288,11 +288,7 @@ class _Make(Protocol):
 
 
 def _ready(
-    config: Config,
-    drawing: str | None,
-    debug: bool,
-    make: _Make,
-    message: Message = EMPTY,
+    config: Config, drawing: str | None, debug: bool, make: _Make, message: Message = EMPTY
 ) -> FleetApp:
     """Return the result of `make` for the themes, the drawing of the map, and whether there is colour;
     adapted to this terminal. Raises FleetError if it can't run."""

@@ -162,10 +162,7 @@ def record(
     watch = _Watch(recorder, say, is_live)
     with ended_by_signals():
         try:
-            with (
-                history_of(state_folder(), config, store, origin),
-                session(config, taps, store) as (link, _),
-            ):
+            with history_of(state_folder(), config, store, origin), session(config, taps, store) as (link, _):
                 _load_maps(config, link)
                 maps = _live_maps(config, store, link)
                 while _goes_on(recorder.began, seconds, timeout, watch):

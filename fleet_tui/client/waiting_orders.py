@@ -137,9 +137,7 @@ class WaitingOrders:
         busy = Message("is paused") if robot.paused_by_us else Message("has an order")
         if self._file is None:
             detail = Message(
-                "{name} {busy} and has no queue: order from a console, or wait",
-                name=robot.name,
-                busy=busy,
+                "{name} {busy} and has no queue: order from a console, or wait", name=robot.name, busy=busy
             )
             return Stage.NOT_SENT, detail
         if not self._claim(self._file):

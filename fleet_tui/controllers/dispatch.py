@@ -140,11 +140,7 @@ class Dispatch:
         self._startup.release(self._store.state, time.monotonic())
 
     def _give_now(
-        self,
-        request: Request,
-        sent: Callable[[], None],
-        prepare: Prepare | None = None,
-        asks: bool = False,
+        self, request: Request, sent: Callable[[], None], prepare: Prepare | None = None, asks: bool = False
     ) -> Message:
         if problem := self.objection(request):
             return problem

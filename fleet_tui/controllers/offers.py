@@ -38,9 +38,7 @@ def typed_site(line: str, state: FleetState, find: Callable[[str], None]) -> Typ
         near = [f"{WORD} {site}" for site in sites if site.startswith(name)]
         problem = (
             Message(
-                "no site {name}{did_you_mean}",
-                name=sanitize(name),
-                did_you_mean=did_you_mean(name, sites),
+                "no site {name}{did_you_mean}", name=sanitize(name), did_you_mean=did_you_mean(name, sites)
             )
             if name and not near
             else EMPTY

@@ -169,9 +169,7 @@ def _names(answer: object, key: str) -> list[str]:
 
 
 async def _each(
-    ask: Callable[[str], Awaitable[T | None]],
-    names: list[str],
-    asked: Callable[[], object] = _nothing,
+    ask: Callable[[str], Awaitable[T | None]], names: list[str], asked: Callable[[], object] = _nothing
 ) -> dict[str, T]:
     """Return the answers that arrive in time."""
 

@@ -123,9 +123,4 @@ def _vertex(vertex: DocumentVertex) -> Table:
 
 
 def _edge(edge: DocumentEdge) -> Table:
-    return {
-        "id": int(edge.id),
-        "start": int(edge.start),
-        "end": int(edge.end),
-        **edge.extra.get(OWN, {}),
-    }
+    return {"id": int(edge.id), "start": int(edge.start), "end": int(edge.end), **edge.extra.get(OWN, {})}

@@ -259,10 +259,7 @@ def _control_points(path: Element, scale: tuple[float, float]) -> Polyline:
             x, y = float(point.get("x", "")), float(point.get("y", ""))
         except ValueError:
             raise GraphError(
-                Message(
-                    "path {name}: a control point without x and y",
-                    name=f"{truncate(_name(path), 40)!r}",
-                )
+                Message("path {name}: a control point without x and y", name=f"{truncate(_name(path), 40)!r}")
             ) from None
         found.append((x * scale[0], -y * scale[1]))
     return tuple(found)

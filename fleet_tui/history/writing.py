@@ -326,10 +326,5 @@ def _acknowledge_elsewhere(database: sqlite3.Connection, record: AuditRecord, at
     database.execute(
         "UPDATE alarms SET acknowledged = :at, operator = :operator WHERE acknowledged IS NULL AND id ="
         " (SELECT max(id) FROM alarms WHERE source = :source AND kind = :kind AND ended IS NULL)",
-        {
-            "at": at,
-            "operator": record.operator,
-            "source": record.robot or record.link,
-            "kind": record.what,
-        },
+        {"at": at, "operator": record.operator, "source": record.robot or record.link, "kind": record.what},
     )

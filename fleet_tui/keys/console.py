@@ -81,11 +81,7 @@ TOOLS: tuple[Key[Actions], ...] = (
         only_live=True,
     ),
     Key(
-        "desk",
-        (),
-        lambda do: do.view.desk(),
-        Message("Desk: consoles, claims, closed edges"),
-        only_live=True,
+        "desk", (), lambda do: do.view.desk(), Message("Desk: consoles, claims, closed edges"), only_live=True
     ),
     Key(
         "facilities",
@@ -290,11 +286,7 @@ CONSOLE: tuple[Key[Actions], ...] = (
         helps="stays",
     ),
     Key(
-        "previous_robot",
-        ("[",),
-        lambda do: do.view.step_robot(-1),
-        Message("Previous robot"),
-        helps="stays",
+        "previous_robot", ("[",), lambda do: do.view.step_robot(-1), Message("Previous robot"), helps="stays"
     ),
     *PLAIN,
     *map(_robot, range(1, 10)),

@@ -17,14 +17,7 @@ from fleet_tui.errors import MapError
 from fleet_tui.model.events import FloorMapLoaded
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.grid import MAX_PIXELS, OccupancyGrid, check_frame
-from fleet_tui.model.occupancy import (
-    CLASS_OF_CELL,
-    FREE,
-    OCCUPIED,
-    UNKNOWN,
-    Classes,
-    build_grid,
-)
+from fleet_tui.model.occupancy import CLASS_OF_CELL, FREE, OCCUPIED, UNKNOWN, Classes, build_grid
 from fleet_tui.storage.handles import open_file
 from fleet_tui.text.language import Message
 

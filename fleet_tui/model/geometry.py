@@ -66,10 +66,7 @@ class MapFrame(Struct, frozen=True):
         right, up = column * self.resolution, (self.height - row) * self.resolution
         cos, sin = math.cos(self.origin.yaw), math.sin(self.origin.yaw)
         sign = -1.0 if self.added else 1.0
-        return (
-            cos * right - sin * up + sign * self.origin.x,
-            sin * right + cos * up + sign * self.origin.y,
-        )
+        return (cos * right - sin * up + sign * self.origin.x, sin * right + cos * up + sign * self.origin.y)
 
 
 def metres_from(at: tuple[float, float], line: Line) -> float:

@@ -91,9 +91,7 @@ def unit_status(output: str, unit: str, at: float) -> ProgramStatus | None:
         return None
     if found.get("LoadState") == "not-found" and state is ProgramState.STOPPED:
         return ProgramStatus(
-            ProgramState.UNKNOWN,
-            at,
-            detail=Message("no unit {unit}: check its name, and `user`", unit=unit),
+            ProgramState.UNKNOWN, at, detail=Message("no unit {unit}: check its name, and `user`", unit=unit)
         )
     return ProgramStatus(
         state,

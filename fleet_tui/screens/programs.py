@@ -40,10 +40,7 @@ def programs_overlay(screen: "MainScreen", ask: Ask, open_menu: OpenMenu) -> "Pr
 class Programs(ReturningOverlay, TableOverlay):
     """One table: the programs, or the lines of a log with a field that filters them."""
 
-    BINDINGS: ClassVar[list[BindingType]] = [
-        ("escape,q", "close", "Close"),
-        *overlay_bindings("programs"),
-    ]
+    BINDINGS: ClassVar[list[BindingType]] = [("escape,q", "close", "Close"), *overlay_bindings("programs")]
 
     def __init__(self, watch: ProgramWatch, requests: ProgramRequests) -> None:
         super().__init__("programs", self._choose, EVERY)

@@ -45,10 +45,7 @@ class Routines(ReturningOverlay, TableOverlay):
     """One table: the routines, or the lines of a text about one. What runs here goes on while it is
     closed."""
 
-    BINDINGS: ClassVar[list[BindingType]] = [
-        ("escape,q", "back", "Back"),
-        *overlay_bindings("routines"),
-    ]
+    BINDINGS: ClassVar[list[BindingType]] = [("escape,q", "back", "Back"), *overlay_bindings("routines")]
 
     def __init__(self, place: RoutinePlace, requests: RoutineRequests, led: LedRoutines, ask: Ask) -> None:
         super().__init__("routines", self._choose, EVERY)

@@ -22,7 +22,7 @@ NO_LINK = FactKind(
 )
 BRIDGE_HANGS = NO_LINK._replace(
     # With that parameter it stops answering at the second subscription.
-    remedy=Message("Restart rosbridge, or repair the network; on ROS 2 start it without use_events_executor"),
+    remedy=Message("Restart rosbridge, or repair the network; on ROS 2 start it without use_events_executor")
 )
 COMMANDS_DEAD = FactKind(
     "commands",
@@ -46,7 +46,7 @@ CALLS_HANG = COMMANDS_DEAD._replace(
     remedy=Message(
         "Restart rosbridge, on ROS 2 without use_events_executor;"
         " until then pause a robot by its own controls"
-    ),
+    )
 )
 COMMANDS_UNTRIED = FactKind(
     "commands",
@@ -98,9 +98,7 @@ NOT_ALLOWED = LOST_SUBSCRIPTIONS._replace(
         "Add these names to that list of rosbridge (topics_glob, services_glob, actions_glob), and restart it"
     ),
 )
-HEARTBEAT_NOT_ALLOWED = COMMANDS_DEAD._replace(
-    remedy=NOT_ALLOWED.action,
-)
+HEARTBEAT_NOT_ALLOWED = COMMANDS_DEAD._replace(remedy=NOT_ALLOWED.action)
 BEHIND = FactKind(
     N_("behind"),
     Message("this console is behind"),
@@ -275,8 +273,7 @@ STILL_MOVING = STOPPING._replace(
     keys=("pause", "centre"),
 )
 DESPITE_PAUSE = STILL_MOVING._replace(
-    word=Message("driving despite pause"),
-    remedy=Message("Pause it again, or find out who drives it"),
+    word=Message("driving despite pause"), remedy=Message("Pause it again, or find out who drives it")
 )
 BY_HAND = FactKind("mode", Message("mode"), remedy=Message("Switch it to automatic at the vehicle"))
 CLEARANCE = FactKind(

@@ -88,9 +88,7 @@ def untried_commands(link: LinkState) -> Fact | None:
         kind,
         link.name,
         Message(
-            "commands {command_reason}: {remedy}",
-            command_reason=link.command_reason,
-            remedy=Message(remedy),
+            "commands {command_reason}: {remedy}", command_reason=link.command_reason, remedy=Message(remedy)
         ),
         priority,
         link.since,
@@ -113,10 +111,7 @@ def late_link(state: FleetState, link: LinkState) -> Fact | None:
     text = Message("messages {duration} late: {why}", duration=duration(link.late), why=why)
     if told:
         text = Message(
-            "messages {duration} late, {told}: {why}",
-            duration=duration(link.late),
-            told=told,
-            why=why,
+            "messages {duration} late, {told}: {why}", duration=duration(link.late), told=told, why=why
         )
     priority = Priority.HIGH if told else Priority.MEDIUM
     since = state.began.get((link.name, LATE_LINK.name), state.now)

@@ -166,9 +166,7 @@ def _unreadable(state: FleetState, robot: Robot) -> Fact | None:
         short=bad_text(robot),
         evidence=Message("link up, messages arrive: {last_fault}", last_fault=robot.last_fault),
         question=Message(
-            "no message of {name} is readable: {last_fault}",
-            name=robot.name,
-            last_fault=robot.last_fault,
+            "no message of {name} is readable: {last_fault}", name=robot.name, last_fault=robot.last_fault
         ),
         seen=at,
     )
@@ -294,9 +292,7 @@ def drives_on(state: FleetState, robot: Robot) -> Fact | None:
         Priority.MEDIUM,
         last.at,
         evidence=Message(
-            "{mission} failed {age} ago, and its pose still changes",
-            mission=mission,
-            age=age(since_end),
+            "{mission} failed {age} ago, and its pose still changes", mission=mission, age=age(since_end)
         ),
         seen=standing.at,
     )

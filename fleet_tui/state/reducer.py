@@ -154,9 +154,7 @@ def _apply_to_robot(state: FleetState, event: _OfRobot) -> FleetState:
 
 
 def _apply_report(
-    state: FleetState,
-    robot: Robot,
-    event: events.Telemetry | events.MapFactReceived | events.MessageRejected,
+    state: FleetState, robot: Robot, event: events.Telemetry | events.MapFactReceived | events.MessageRejected
 ) -> FleetState:
     match event:
         case events.MessageRejected():

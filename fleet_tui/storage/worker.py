@@ -14,11 +14,7 @@ class Worker:
     is woken, until it is closed; then it does the end. A mistake in one of them costs that one alone."""
 
     def __init__(
-        self,
-        name: str,
-        step: Callable[[], object],
-        every: float | None,
-        end: Callable[[], object],
+        self, name: str, step: Callable[[], object], every: float | None, end: Callable[[], object]
     ) -> None:
         self.name = name
         self._step = step

@@ -62,11 +62,7 @@ def _check_certificate(key: str, name: str) -> None:
     except (OSError, ValueError):
         file = Path(name).name
         raise LinkError(
-            Message(
-                "{key}: no PEM certificate in {file}: convert it, or correct {key}",
-                key=key,
-                file=file,
-            )
+            Message("{key}: no PEM certificate in {file}: convert it, or correct {key}", key=key, file=file)
         ) from None
 
 

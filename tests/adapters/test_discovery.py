@@ -37,7 +37,7 @@ def test_where_nothing_sounds_like_it_nothing_is_taken() -> None:
 
 def test_floors_are_those_of_all_robots_and_of_none_each_once() -> None:
     assert Discovery({"a": ["hall", "roof"], "b": ["hall"]}, more_floors=["cellar", "hall"]).floors == [
-        *("hall", "roof", "cellar"),
+        *("hall", "roof", "cellar")
     ]
 
 

@@ -5,12 +5,7 @@ import json
 import pytest
 
 from fleet_tui.adapters.profile import Profile
-from fleet_tui.model.commands import (
-    Command,
-    PauseRobot,
-    ResumeRobot,
-    Stage,
-)
+from fleet_tui.model.commands import Command, PauseRobot, ResumeRobot, Stage
 from tests.support.adapters import adapter_of
 from tests.support.fleets import WIRE, place_order, recording
 

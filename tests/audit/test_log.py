@@ -23,13 +23,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.state.store import Store
 from fleet_tui.storage.line_file import LineFile
 from fleet_tui.text.language import Message
-from tests.support.fleets import (
-    F0,
-    R0,
-    T0,
-    WALL,
-    tick,
-)
+from tests.support.fleets import F0, R0, T0, WALL, tick
 from tests.support.records import ANA, ORDER, give, known_fleet, read, record, watched
 from tests.support.watched_store import config_of
 

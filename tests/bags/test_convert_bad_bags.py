@@ -68,10 +68,7 @@ def files(tmp_path: Path) -> Iterator[Path]:
         ("text.db3", "BAG: unreadable: Cannot open database text.db3: "),
         ("old.bag", "BAG: unreadable: Bag version 102 is not supported."),
         ("folder", "BAG: not a bag: no metadata.yaml, .bag, .db3 or .mcap in it"),
-        (
-            "lost",
-            "BAG: no metadata.yaml in it: name one of its files (lost_0.db3, pipe.mcap), or repair",
-        ),
+        ("lost", "BAG: no metadata.yaml in it: name one of its files (lost_0.db3, pipe.mcap), or repair"),
         ("yaml", "BAG: unreadable: Invalid bag metadata: "),
         ("huge", "BAG/metadata.yaml: is larger than 16,777,216 bytes: not a metadata.yaml"),
         ("code", "BAG: unreadable: "),

@@ -41,10 +41,7 @@ def test_json_is_no_one_line() -> None:
 
 @pytest.mark.parametrize(
     ("options", "limits"),
-    [
-        ((), (7e6, 120.0, 3)),
-        (("--rotate-mb", "2", "--rotate-every", "30m", "--keep", "0"), (2e6, 1800.0, 0)),
-    ],
+    [((), (7e6, 120.0, 3)), (("--rotate-mb", "2", "--rotate-every", "30m", "--keep", "0"), (2e6, 1800.0, 0))],
 )
 def test_limits_of_a_recording_are_the_configurations_unless_given(
     passed: list[tuple[Any, ...]], options: tuple[str, ...], limits: tuple[float, float, int]

@@ -4,11 +4,7 @@ import math
 
 from fleet_tui.cli.session import missing
 from fleet_tui.model.kind import Kind
-from tests.support.fleets import (
-    R0,
-    fleet,
-    of_kinds,
-)
+from tests.support.fleets import R0, fleet, of_kinds
 from tests.support.kinds import MUTE
 
 

@@ -4,13 +4,7 @@ import asyncio
 
 import msgspec
 
-from fleet_tui.model.commands import (
-    CancelOrder,
-    ClearOrders,
-    PauseRobot,
-    ResumeRobot,
-    Stage,
-)
+from fleet_tui.model.commands import CancelOrder, ClearOrders, PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.order import at_vertices
 from fleet_tui.simulator.server import RosbridgeServer

@@ -57,7 +57,7 @@ async def test_an_order_is_a_goal_of_ours_confirmed_by_its_id_and_driven(site: M
         record = await finished(link, store, site.to("Base"))
         assert record.stage is Stage.CONFIRMED
         assert [step.stage for step in record.steps] == [
-            *(Stage.CHECKED, Stage.SENT, Stage.ACCEPTED, Stage.CONFIRMED),
+            *(Stage.CHECKED, Stage.SENT, Stage.ACCEPTED, Stage.CONFIRMED)
         ]
         ended = await reached(store, record.id, Stage.DONE)
     goal = site.navigation().received[0]

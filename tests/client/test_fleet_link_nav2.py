@@ -166,10 +166,7 @@ async def test_an_order_of_which_a_stop_was_missed_is_not_done(site: Site) -> No
         await store.until(lambda _: site.navigation().robot.driving)
         site.navigation().abort(208, "no path")
         ended = await reached(store, order.id, Stage.FAILED, Stage.DONE)
-        assert (ended.stage, ended.detail) == (
-            Stage.FAILED,
-            "no path to the goal (error 208); 1 stop missed",
-        )
+        assert (ended.stage, ended.detail) == (Stage.FAILED, "no path to the goal (error 208); 1 stop missed")
 
 
 async def test_an_order_that_is_rejected_is_refused_at_once(site: Site) -> None:

@@ -128,10 +128,7 @@ async def test_a_pause_that_services_glob_drops_is_not_sent(site: Site) -> None:
         await store.until(nav2_ready)
         await finished(link, store, site.to("Consumidores"))
         pause = await finished(link, store, PauseRobot(R0))
-        assert (pause.stage, pause.detail) == (
-            Stage.NOT_SENT,
-            "the bridge does not allow it (services_glob)",
-        )
+        assert (pause.stage, pause.detail) == (Stage.NOT_SENT, "the bridge does not allow it (services_glob)")
 
 
 async def test_a_cancel_that_is_refused_says_so_and_the_order_goes_on(site: Site) -> None:

@@ -8,14 +8,7 @@ import pytest
 from fleet_tui.client import waiting_orders
 from fleet_tui.client.queue_file import FILE, WaitingOrder
 from fleet_tui.client.waiting_orders import WaitingOrders
-from fleet_tui.model.commands import (
-    RESTARTED,
-    CancelOrder,
-    ClearOrders,
-    PauseRobot,
-    ResumeRobot,
-    Stage,
-)
+from fleet_tui.model.commands import RESTARTED, CancelOrder, ClearOrders, PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.events import BridgeAnswered, Event
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import Phase
@@ -337,10 +330,7 @@ async def test_a_motion_that_another_client_asked_of_nav2_itself_is_stopped_and_
 
 
 async def test_a_pause_that_a_spin_defies_is_not_confirmed_until_it_is_ended(tmp_path: Path) -> None:
-    async with (
-        nav2_site(tmp_path, speed=1.0) as site,
-        linked(site.config, queue=keeping()) as (link, store),
-    ):
+    async with nav2_site(tmp_path, speed=1.0) as site, linked(site.config, queue=keeping()) as (link, store):
         await store.until(nav2_ready)
         site.navigation().servers[SPIN].refuses_cancel = True
         site.navigation().take(SPIN, LONG_SPIN)

@@ -27,30 +27,18 @@ def test_a_broker_is_a_link(url: str) -> None:
             'url = "mqtt://ana:secret@broker"',
             "url: user and password not allowed: set user_file and password_file to private files",
         ),
-        (
-            'url = "mqtt://broker"\nca_file = "ca.pem"',
-            "ca_file: mqtt:// has no TLS, use mqtts:// in the url",
-        ),
+        ('url = "mqtt://broker"\nca_file = "ca.pem"', "ca_file: mqtt:// has no TLS, use mqtts:// in the url"),
         (
             'url = "mqtt://broker"\nauthorization_file = "a"',
             "authorization_file: not for mqtt://, set user_file and password_file to private files",
         ),
-        (
-            'url = "mqtt://broker"\npassword_file = "a"',
-            "password_file: needs user_file or user_env",
-        ),
+        ('url = "mqtt://broker"\npassword_file = "a"', "password_file: needs user_file or user_env"),
         (
             'url = "ws://broker"\nuser_file = "a"',
             "user_file: not for ws://, set authorization_file to a file with `Basic ...`",
         ),
-        (
-            'url = "ws://broker"\nrole = "pause"',
-            "role: ws:// has no roles, only a broker has them",
-        ),
-        (
-            'url = "mqtt://broker"\nrole = "king"',
-            "role: 'king' is not one of watch, pause, master",
-        ),
+        ('url = "ws://broker"\nrole = "pause"', "role: ws:// has no roles, only a broker has them"),
+        ('url = "mqtt://broker"\nrole = "king"', "role: 'king' is not one of watch, pause, master"),
         (
             'url = "amqp://broker"',
             "url: 'amqp://broker' is not an address, expected e.g. ws://HOST:9090 or mqtt://HOST",

@@ -27,10 +27,7 @@ def with_profile(**changes: object) -> Config:
         ({"services": {"pauze": "/p"}}, "profile.services.pauze: unknown key, did you mean pause?"),
         ({"fields": {"vertex.ide": "i"}}, "profile.fields.vertex.ide: unknown key, did you mean vertex.id?"),
         ({"topics": {"pose": "/{robot}/{floor}/p"}}, "profile.topics.pose: {floor} is not available here"),
-        (
-            {"topics": {"map": "/{robt}/{floor}/{robot}"}},
-            "profile.topics.map: {robt} is not available here",
-        ),
+        ({"topics": {"map": "/{robt}/{floor}/{robot}"}}, "profile.topics.map: {robt} is not available here"),
         ({"services": {"pause": "/{}/{robot}"}}, "profile.services.pause: {} is not available here"),
         (
             {"service_types": {"resume": "nav2_msgs/srv/ManageLifecycleNodes"}},

@@ -7,11 +7,7 @@ from fleet_tui.model.problem import Permissions
 from fleet_tui.model.request import Request
 from fleet_tui.text.language import EMPTY, Message
 from tests.support.desk import Desk, ready
-from tests.support.fleets import (
-    R0,
-    fleet,
-    place_order,
-)
+from tests.support.fleets import R0, fleet, place_order
 
 ORDER = place_order(R0, 1, 2)
 COMMANDS = [PauseRobot(R0), ResumeRobot(R0), ORDER, CancelOrder(R0, "1"), ClearOrders(R0)]

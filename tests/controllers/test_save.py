@@ -60,11 +60,7 @@ def test_where_it_can_not_be_written_it_says_so(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("saving", "words"),
-    [
-        (None, "nothing to save"),
-        (Saving(config_of("ws://a")), "already saved in"),
-    ],
+    ("saving", "words"), [(None, "nothing to save"), (Saving(config_of("ws://a")), "already saved in")]
 )
 def test_where_there_is_nothing_to_write_it_says_why(saving: Saving | None, words: str) -> None:
     desk, begun, save = command(saving)

@@ -53,9 +53,7 @@ def test_topics_without_any_service_are_nodes_that_the_master_forgot() -> None:
     assert causes_of(CONFIG, with_rosapi(WELL, services=other_names)) == []
 
 
-def test_an_action_whose_goal_the_bridge_has_just_dropped_is_one_that_its_list_lacks(
-    tmp_path: Path,
-) -> None:
+def test_an_action_whose_goal_the_bridge_has_just_dropped_is_one_that_its_list_lacks(tmp_path: Path) -> None:
     config = demo_config(Config(), "ws://site:9090", 2, 1, "2", "nav2", tmp_path)
     adapters = adapters_of(config)
     facts = replace(WELL, adapters=adapters, barred=frozenset({"/robot_0/navigate_to_pose", "/other/action"}))

@@ -24,14 +24,8 @@ def test_robots_with_equal_reports_share_one() -> None:
         received(fact)
         for fact in (graph(1, 2), labels({1: "Base"}), FrameReceived(R0, F0, FRAME), battery(T0), None)
     ]
-    topics += [
-        received(graph(1, 2, robot="robot_1"), "robot_1"),
-        received(labels({1: "Base"}), "robot_1"),
-    ]
-    topics += [
-        received(FrameReceived("robot_1", F0, FRAME), "robot_1"),
-        received(graph(1), "robot_2"),
-    ]
+    topics += [received(graph(1, 2, robot="robot_1"), "robot_1"), received(labels({1: "Base"}), "robot_1")]
+    topics += [received(FrameReceived("robot_1", F0, FRAME), "robot_1"), received(graph(1), "robot_2")]
     topics += [received(graph(7), floor="floor_1")]
     (both, robots), (other, alone) = surveys_of(F0, topics)
     assert robots == [R0, "robot_1"] and alone == ["robot_2"]

@@ -40,10 +40,7 @@ def both_up(state: FleetState) -> bool:
 
 
 async def test_a_dead_bridge_hurts_no_other(server: RosbridgeServer, other: RosbridgeServer) -> None:
-    async with (
-        before(other.url) as proxy,
-        linked(two_sites(server.url, proxy.url)) as (link, store),
-    ):
+    async with before(other.url) as proxy, linked(two_sites(server.url, proxy.url)) as (link, store):
         await store.until(both_up)
         proxy.attend = mute
         watch = Stopwatch(store)

@@ -70,10 +70,7 @@ async def test_nav2_waits_for_a_pose(tmp_path: Path) -> None:
 
 
 async def test_a_spin_goes_on_through_a_pause(tmp_path: Path) -> None:
-    async with (
-        nav2_site(tmp_path, speed=1.0) as site,
-        linked(site.config, queue=keeping()) as (link, store),
-    ):
+    async with nav2_site(tmp_path, speed=1.0) as site, linked(site.config, queue=keeping()) as (link, store):
         await store.until(nav2_ready)
         server = site.navigation().servers[SPIN]
         server.refuses_cancel = True

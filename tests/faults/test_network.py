@@ -276,11 +276,7 @@ async def test_a_message_over_the_limit_costs_only_itself(server: RosbridgeServe
         f"/robot_0/floor_0/map: a message of 0.4 MB {remedy}",
     }
     report(
-        "message over the limit",
-        "60 kB at a limit of 50 kB",
-        f"a message of 0.1 MB {remedy}",
-        noticed,
-        None,
+        "message over the limit", "60 kB at a limit of 50 kB", f"a message of 0.1 MB {remedy}", noticed, None
     )
 
 

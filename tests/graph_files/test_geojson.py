@@ -10,16 +10,7 @@ from hypothesis import strategies as st
 from fleet_tui.errors import GraphError
 from fleet_tui.graph_files.losses import losses
 from fleet_tui.model.graphs.document import DocumentFloor, DocumentVertex, GraphFormat, Motion, of_floor
-from tests.support.graph_files import (
-    NUMBERS,
-    SHARED,
-    TABLES,
-    again,
-    documents,
-    read_text,
-    sample,
-    write_text,
-)
+from tests.support.graph_files import NUMBERS, SHARED, TABLES, again, documents, read_text, sample, write_text
 
 F = GraphFormat.GEOJSON
 Feature = dict[str, Any]

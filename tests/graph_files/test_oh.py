@@ -5,13 +5,7 @@ from hypothesis import given
 from msgspec.structs import replace
 
 from fleet_tui.errors import GraphError
-from fleet_tui.model.graphs.document import (
-    DocumentEdge,
-    DocumentFloor,
-    DocumentVertex,
-    GraphFormat,
-    of_floor,
-)
+from fleet_tui.model.graphs.document import DocumentEdge, DocumentFloor, DocumentVertex, GraphFormat, of_floor
 from tests.support.graph_files import again, read_text, sample, vertices, write_text
 
 TEXT = """

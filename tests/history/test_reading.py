@@ -110,9 +110,7 @@ def test_what_goes_on_has_its_operator_whoever_observes(database: sqlite3.Connec
     ]
 
 
-def test_an_order_that_waits_in_a_console_waits_once_after_its_restarts(
-    database: sqlite3.Connection,
-) -> None:
+def test_an_order_that_waits_in_a_console_waits_once_after_its_restarts(database: sqlite3.Connection) -> None:
     told = {"kind": "command", "what": "order", "robot": "r", "id": 1}
     for run, names in (("run1", {"start": "1", "end": "2"}), ("run2", {}), ("run3", {"start_label": "A"})):
         words = "" if run == "run1" else RESTARTED

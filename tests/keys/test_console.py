@@ -1,12 +1,6 @@
 """Keys of the console: the action each calls, and which of them command robots."""
 
-from fleet_tui.actions import (
-    AlarmActions,
-    AppActions,
-    CommandActions,
-    FileActions,
-    ViewActions,
-)
+from fleet_tui.actions import AlarmActions, AppActions, CommandActions, FileActions, ViewActions
 from fleet_tui.keys.console import CONSOLE
 from fleet_tui.keys.key import by_id
 from tests.support.key_calls import calls

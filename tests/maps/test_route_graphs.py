@@ -125,10 +125,7 @@ def test_many_faults_are_counted(read: Any) -> None:
     [
         ("", "empty; known formats: native, oh, rmf, "),
         ("levels:\n  L1: {}\n", "has no vertices"),
-        (
-            '{"type":\n\n"FeatureCollection",\n "features": [NaN]}',
-            "not JSON: invalid character in line 4",
-        ),
+        ('{"type":\n\n"FeatureCollection",\n "features": [NaN]}', "not JSON: invalid character in line 4"),
         ("<model/>", "plant model '': save it with openTCS 6 or 7"),
         ("[]", "no known format; known formats: native, oh, rmf, "),
         ('{"layouts": []}', "has the floors none: none is called floor_0"),

@@ -1,9 +1,6 @@
 """The table of a command's life: every stage has its place in it."""
 
-from fleet_tui.model.commands import (
-    NEXT,
-    Stage,
-)
+from fleet_tui.model.commands import NEXT, Stage
 
 
 def test_every_stage_has_its_place_in_the_table() -> None:

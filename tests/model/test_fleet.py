@@ -3,18 +3,7 @@
 import math
 
 from fleet_tui.model.kind import Kind
-from tests.support.fleets import (
-    R0,
-    T0,
-    battery,
-    fleet,
-    link_up,
-    of_kinds,
-    pose,
-    queue,
-    reduced,
-    tick,
-)
+from tests.support.fleets import R0, T0, battery, fleet, link_up, of_kinds, pose, queue, reduced, tick
 from tests.support.kinds import FULL
 
 R1 = "robot_1"

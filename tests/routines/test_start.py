@@ -28,8 +28,7 @@ def test_an_unknown_duration_makes_it_a_lower_limit(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "lines"),
-    [("for robot_0\ngo Bse\nrun absent\nend\n", [2, 3]), ("for robot_9\ngo\nend\n", [2])],
+    ("text", "lines"), [("for robot_0\ngo Bse\nrun absent\nend\n", [2, 3]), ("for robot_9\ngo\nend\n", [2])]
 )
 def test_a_mistake_in_the_text_comes_before_the_fleet(tmp_path: Path, text: str, lines: list[int]) -> None:
     found = examined(tmp_path, text)

@@ -7,17 +7,7 @@ from fleet_tui.simulator.faults import wire
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import console
 from tests.support.ordering import place
-from tests.support.scenario import (
-    NO_ANSWER_AFTER,
-    R0,
-    calls,
-    ended,
-    hasty,
-    patient,
-    plant,
-    requests,
-    stages,
-)
+from tests.support.scenario import NO_ANSWER_AFTER, R0, calls, ended, hasty, patient, plant, requests, stages
 
 SENT = [Stage.CHECKED, Stage.SENT]
 

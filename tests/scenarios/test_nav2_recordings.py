@@ -84,12 +84,7 @@ def test_what_the_bridge_logs_is_of_no_robot(name: str) -> None:
             "last order failed: [navigate_to_pose] [ActionServer] Requested to deactivate server",
             "Requested to deactivate server but goal is still executing",
         ),
-        (
-            "robot-frozen",
-            "order failed",
-            "blocked",
-            "Failed to transform end pose to global frame",
-        ),
+        ("robot-frozen", "order failed", "blocked", "Failed to transform end pose to global frame"),
     ],
 )
 def test_row_reason_and_status_of_a_recording(name: str, row: str, why: str, status: str) -> None:

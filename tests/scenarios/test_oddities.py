@@ -52,8 +52,7 @@ def test_a_map_may_have_a_number_for_a_name() -> None:
 
 
 @pytest.mark.parametrize(
-    "payload",
-    [state() + b"\0", state(lastNodeId="X").replace(b"X", b"T\xfcr"), codecs.BOM_UTF8 + state()],
+    "payload", [state() + b"\0", state(lastNodeId="X").replace(b"X", b"T\xfcr"), codecs.BOM_UTF8 + state()]
 )
 def test_a_text_of_c_one_in_latin_1_and_one_with_a_byte_order_mark_are_read(payload: bytes) -> None:
     assert Fields.of(payload).text("lastNodeId") in ("n0", "Tür")

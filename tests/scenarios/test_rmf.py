@@ -9,14 +9,7 @@ import pytest
 
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.config.start import initial_state
-from fleet_tui.model.commands import (
-    CancelOrder,
-    ClearOrders,
-    Command,
-    PauseRobot,
-    ResumeRobot,
-    Stage,
-)
+from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import OrderState, at_vertices
 from fleet_tui.rules.commands.local_queue import all_orders

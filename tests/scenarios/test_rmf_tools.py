@@ -39,7 +39,7 @@ async def test_discovery_names_the_robots_of_all_fleets_and_the_levels() -> None
     async with hospital(robots=4, floors=3) as site:
         found = await asyncio.wrap_future(start_discovery(Link(site.server.url)))
     assert [robot.name for robot in found.config.robots] == [
-        *("carrier/robot_1", "carrier/robot_3", "tiny/robot_0", "tiny/robot_2"),
+        *("carrier/robot_1", "carrier/robot_3", "tiny/robot_0", "tiny/robot_2")
     ]
     assert [floor.name for floor in found.config.floors] == ["floor_0", "floor_1", "floor_2"]
     assert 'kind = "rmf"' in found.text

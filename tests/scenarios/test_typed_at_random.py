@@ -102,11 +102,7 @@ class Allowed:
     """Commands that a person meant: pauses of robots, or what a text says."""
 
     def __init__(
-        self,
-        pauses: Sequence[str] = (),
-        text: str = "",
-        robot: Sequence[str] = (),
-        end: str = "",
+        self, pauses: Sequence[str] = (), text: str = "", robot: Sequence[str] = (), end: str = ""
     ) -> None:
         self._pauses, self._text, self._robots, self._end = pauses, text.casefold(), robot, end
 

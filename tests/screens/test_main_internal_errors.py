@@ -99,10 +99,7 @@ async def test_the_words_of_a_fault_are_shown_as_text(
 
 @pytest.mark.own_faults
 async def test_what_is_read_beside_the_screen_may_fail(
-    tmp_path: Path,
-    server: RosbridgeServer,
-    monkeypatch: pytest.MonkeyPatch,
-    caplog: pytest.LogCaptureFixture,
+    tmp_path: Path, server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
     monkeypatch.setattr(reader.AuditReader, "newest_first", broken([None], reader.AuditReader.newest_first))
     config = config_of(server.url, 2, 2)

@@ -133,12 +133,7 @@ async def test_a_page_learns_that_its_console_was_killed(server: RosbridgeServer
 
 @pytest.mark.nightly
 @pytest.mark.parametrize(
-    ("number", "code"),
-    [
-        (signal.SIGINT, 130),
-        (signal.SIGTERM, 0),
-        (signal.SIGKILL, -signal.SIGKILL),
-    ],
+    ("number", "code"), [(signal.SIGINT, 130), (signal.SIGTERM, 0), (signal.SIGKILL, -signal.SIGKILL)]
 )
 async def test_however_the_server_ends_so_do_its_consoles(
     number: int, code: int, server: RosbridgeServer, tmp_path: Path

@@ -12,10 +12,7 @@ from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.browser import CHROMIUM, browser
 from tests.support.serve import serving, until
 
-pytestmark = [
-    pytest.mark.nightly,
-    pytest.mark.skipif(CHROMIUM is None, reason="no chromium is installed"),
-]
+pytestmark = [pytest.mark.nightly, pytest.mark.skipif(CHROMIUM is None, reason="no chromium is installed")]
 
 
 async def test_a_person_looks_around_in_a_browser(server: RosbridgeServer, tmp_path: Path) -> None:

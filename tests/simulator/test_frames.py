@@ -10,13 +10,7 @@ from PIL import Image
 from websockets.asyncio.client import ClientConnection, connect
 
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.support.bridge_client import (
-    frames_before_an_answer,
-    read,
-    read_until,
-    send,
-    subscribe,
-)
+from tests.support.bridge_client import frames_before_an_answer, read, read_until, send, subscribe
 
 MAP, MAP_TYPE = "/robot_0/floor_0/map", "nav_msgs/OccupancyGrid"
 

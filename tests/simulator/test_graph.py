@@ -16,7 +16,6 @@ def test_the_way_leads_along_edges_in_both_directions() -> None:
 
 def test_the_shorter_of_two_ways_is_taken_however_many_corners_it_has() -> None:
     detour = SimGraph(
-        {**GRAPH.vertices, 5: SimVertex(5, -50.0, 0.0)},
-        (*GRAPH.edges, SimEdge(3, 1, 5), SimEdge(4, 5, 3)),
+        {**GRAPH.vertices, 5: SimVertex(5, -50.0, 0.0)}, (*GRAPH.edges, SimEdge(3, 1, 5), SimEdge(4, 5, 3))
     )
     assert detour.path(1, 3) == (1, 2, 3)

@@ -3,10 +3,7 @@
 import pytest
 from websockets.asyncio.client import ClientConnection
 
-from tests.support.bridge_client import (
-    call,
-    subscribe,
-)
+from tests.support.bridge_client import call, subscribe
 
 GRAPH, GRAPH_TYPE = "/robot_0/floor_0/graph", "OH_ressources/Graph"
 

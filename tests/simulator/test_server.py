@@ -9,15 +9,7 @@ from websockets.exceptions import ConnectionClosed
 from fleet_tui.errors import FleetError
 from fleet_tui.simulator.ros_types import ServiceError
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.support.bridge_client import (
-    Json,
-    call,
-    frames_before_an_answer,
-    read,
-    read_until,
-    send,
-    subscribe,
-)
+from tests.support.bridge_client import Json, call, frames_before_an_answer, read, read_until, send, subscribe
 
 POSE, POSE_TYPE = "/robot_0/pose", "geometry_msgs/PoseStamped"
 GRAPH, GRAPH_TYPE = "/robot_0/floor_0/graph", "OH_ressources/Graph"

@@ -4,10 +4,7 @@ import pytest
 from websockets.asyncio.client import ClientConnection
 
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.support.bridge_client import (
-    Json,
-    call,
-)
+from tests.support.bridge_client import Json, call
 
 ORDER = "/robot_0/Application_layout/Execute_order"
 

@@ -10,15 +10,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.batches import summary
 from fleet_tui.state.command_events import COMMANDS_KEPT
 from fleet_tui.text.language import Message
-from tests.support.fleets import (
-    R0,
-    T0,
-    WALL,
-    commanded,
-    fleet,
-    place_order,
-    reduced,
-)
+from tests.support.fleets import R0, T0, WALL, commanded, fleet, place_order, reduced
 
 
 def test_a_command_ends_exactly_once_whatever_comes() -> None:

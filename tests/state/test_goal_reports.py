@@ -7,12 +7,7 @@ from fleet_tui.model.events import SubscriptionsAdvanced
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.navigation import Progress
-from fleet_tui.model.navigation_events import (
-    GoalAnswered,
-    OdometryReported,
-    PlanReported,
-    ProgressReported,
-)
+from fleet_tui.model.navigation_events import GoalAnswered, OdometryReported, PlanReported, ProgressReported
 from fleet_tui.model.order import OrderState, Stop, at_vertices
 from fleet_tui.rules.commands.goals import LISTED_FOR
 from fleet_tui.rules.commands.local_queue import foreign

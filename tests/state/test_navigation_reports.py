@@ -20,16 +20,7 @@ from fleet_tui.model.navigation_events import (
 from fleet_tui.model.robot import Logged, Reading
 from fleet_tui.text.language import Message
 from tests.support.fleets import F0, R0, T0, reduced, tick
-from tests.support.nav2_goals import (
-    WAYPOINTS,
-    goal,
-    goals,
-    localised,
-    nav2,
-    odometry,
-    robot,
-    unheard,
-)
+from tests.support.nav2_goals import WAYPOINTS, goal, goals, localised, nav2, odometry, robot, unheard
 
 
 def origin(at: float, x: float) -> OriginReported:

@@ -8,16 +8,9 @@ from hypothesis import strategies as st
 from msgspec.structs import fields
 
 from fleet_tui.model import events
-from fleet_tui.model.commands import (
-    NEXT,
-    CommandRecord,
-    Stage,
-)
+from fleet_tui.model.commands import NEXT, CommandRecord, Stage
 from fleet_tui.model.fleet import FleetState
-from tests.support.any_events import (
-    ANY,
-    FACTS,
-)
+from tests.support.any_events import ANY, FACTS
 from tests.support.fleets import LINK, fleet, reduced
 
 

@@ -6,16 +6,7 @@ from msgspec.structs import replace
 
 from fleet_tui.model.alarm import Alarm
 from fleet_tui.model.fleet import FleetState
-from tests.support.fleets import (
-    R0,
-    T0,
-    battery,
-    fleet,
-    link_up,
-    of_kinds,
-    reduced,
-    tick,
-)
+from tests.support.fleets import R0, T0, battery, fleet, link_up, of_kinds, reduced, tick
 
 
 def alarms(state: FleetState) -> dict[tuple[str, str], Alarm]:

@@ -3,14 +3,7 @@
 from hypothesis import strategies as st
 
 from fleet_tui.model import events, navigation_events
-from fleet_tui.model.commands import (
-    CancelOrder,
-    ClearOrders,
-    PauseRobot,
-    PlaceOrder,
-    ResumeRobot,
-    Stage,
-)
+from fleet_tui.model.commands import CancelOrder, ClearOrders, PauseRobot, PlaceOrder, ResumeRobot, Stage
 from fleet_tui.model.desk import events as desk_events
 from fleet_tui.model.desk.desk import Colleague, CommandElsewhere
 from fleet_tui.model.fleets import events as fleet_events
@@ -318,17 +311,7 @@ FACTS: dict[type, st.SearchStrategy[events.Event]] = {
     desk_events.EdgeOpened: st.builds(desk_events.EdgeOpened, CLOSED, st.text(max_size=3)),
     desk_events.CommandedElsewhere: st.builds(
         desk_events.CommandedElsewhere,
-        st.builds(
-            CommandElsewhere,
-            IDS,
-            ROBOTS,
-            IDS,
-            IDS,
-            IDS,
-            AT,
-            st.sampled_from(Stage),
-            WHAT,
-        ),
+        st.builds(CommandElsewhere, IDS, ROBOTS, IDS, IDS, IDS, AT, st.sampled_from(Stage), WHAT),
     ),
     vehicle_events.VehicleReported: st.builds(vehicle_events.VehicleReported, ROBOTS, AT, VEHICLES),
     vehicle_events.ConnectionReported: st.builds(

@@ -57,9 +57,7 @@ def sign(folder: Path, name: str, by: Signed | None = None, days: Sequence[int] 
     key_file.touch(mode=0o600)
     key_file.write_bytes(
         key.private_bytes(
-            serialization.Encoding.PEM,
-            serialization.PrivateFormat.PKCS8,
-            serialization.NoEncryption(),
+            serialization.Encoding.PEM, serialization.PrivateFormat.PKCS8, serialization.NoEncryption()
         )
     )
     return Signed(certificate, key, cert_file, key_file)

@@ -9,19 +9,7 @@ from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
 from fleet_tui.model.problem import Permissions
 from fleet_tui.model.request import Request
 from fleet_tui.rules.commands.checks import problems
-from tests.support.fleets import (
-    F0,
-    R0,
-    T0,
-    fleet,
-    graph,
-    labels,
-    link_up,
-    pose,
-    queue,
-    reduced,
-    tick,
-)
+from tests.support.fleets import F0, R0, T0, fleet, graph, labels, link_up, pose, queue, reduced, tick
 
 F1 = "floor_1"
 

@@ -24,19 +24,7 @@ from fleet_tui.state.store import Store
 from fleet_tui.state.streams import Streams
 from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.view.map.drawing import Drawing
-from tests.support.fleets import (
-    LINK,
-    R0,
-    T0,
-    fleet,
-    graph,
-    labels,
-    link_up,
-    pose,
-    queue,
-    reduced,
-    tick,
-)
+from tests.support.fleets import LINK, R0, T0, fleet, graph, labels, link_up, pose, queue, reduced, tick
 from tests.support.kinds import KEYS
 
 

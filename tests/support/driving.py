@@ -52,10 +52,7 @@ class LiveDrive:
 
 @asynccontextmanager
 async def driving(
-    server: RosbridgeServer,
-    url: str = "",
-    topic: str = "/{robot}/cmd_vel",
-    limits: DriveConfig | None = None,
+    server: RosbridgeServer, url: str = "", topic: str = "/{robot}/cmd_vel", limits: DriveConfig | None = None
 ) -> AsyncIterator[LiveDrive]:
     """Begin to drive the first robot of a server, perhaps through a proxy before it; `limits`: those of its
     profile."""

@@ -10,12 +10,7 @@ from fleet_tui.model.events import CommandAdvanced, CommandIssued
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.navigation import Goal
-from fleet_tui.model.navigation_events import (
-    Alive,
-    GoalsReported,
-    LocalisationReported,
-    OdometryReported,
-)
+from fleet_tui.model.navigation_events import Alive, GoalsReported, LocalisationReported, OdometryReported
 from fleet_tui.model.order import OrderState, at_vertices
 from fleet_tui.text.language import Message
 from tests.support.fleets import R0, T0, fleet, graph, link_up, reduced, tick

@@ -7,9 +7,7 @@ from fleet_tui.adapters.adapter import Feed, Publication, Site
 from fleet_tui.adapters.move_base.adapter import MoveBase
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.adapters.ros.operations import Publish, decode
-from fleet_tui.model.commands import (
-    Command,
-)
+from fleet_tui.model.commands import Command
 from fleet_tui.model.events import Event
 from fleet_tui.model.navigation import Goal
 from fleet_tui.model.navigation_events import GoalsReported

@@ -42,8 +42,7 @@ async def cancel(client: ClientConnection, id_: str = "", stamp: Json = NEVER) -
 async def result(client: ClientConnection, id_: str) -> tuple[int, str]:
     """The status and the text with which a goal ended."""
     frame = await until(
-        client,
-        lambda frame: frame.get("topic") == RESULT and frame["msg"]["status"]["goal_id"]["id"] == id_,
+        client, lambda frame: frame.get("topic") == RESULT and frame["msg"]["status"]["goal_id"]["id"] == id_
     )
     return frame["msg"]["status"]["status"], frame["msg"]["status"]["text"]
 

@@ -3,14 +3,9 @@
 from typing import Any
 
 from fleet_tui.model.geometry import Pose
-from fleet_tui.simulator.move_base.navigation import (
-    MoveBaseWorld,
-    SimMoveBase,
-)
+from fleet_tui.simulator.move_base.navigation import MoveBaseWorld, SimMoveBase
 from fleet_tui.simulator.navigating.poses import solid
-from fleet_tui.simulator.ros.actionlib import (
-    GoalReport,
-)
+from fleet_tui.simulator.ros.actionlib import GoalReport
 
 FAR, NEAR = (35.0, 20.0), (8.0, 0.0)
 Json = dict[str, Any]

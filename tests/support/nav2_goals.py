@@ -8,11 +8,7 @@ from fleet_tui.adapters.profile import Profile
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.navigation import Goal
-from fleet_tui.model.navigation_events import (
-    GoalsReported,
-    LocalisationReported,
-    OdometryReported,
-)
+from fleet_tui.model.navigation_events import GoalsReported, LocalisationReported, OdometryReported
 from fleet_tui.model.order import OrderState
 from fleet_tui.model.robot import Robot
 from fleet_tui.text.language import Message
@@ -20,12 +16,7 @@ from tests.support.fleets import R0, T0, fleet, graph, link_up, reduced, tick
 
 NAV2 = Nav2(Profile(kind="nav2"), Site()).kind
 TO_POSE, WAYPOINTS = "navigate_to_pose", "follow_waypoints"
-ON, DONE, FAILED, OFF = (
-    OrderState.IN_PROCESS,
-    OrderState.DONE,
-    OrderState.FAILED,
-    OrderState.CANCELLED,
-)
+ON, DONE, FAILED, OFF = (OrderState.IN_PROCESS, OrderState.DONE, OrderState.FAILED, OrderState.CANCELLED)
 
 
 def unheard() -> FleetState:

@@ -1,21 +1,9 @@
 """A robot whose queue is known, and the one command that was given to it."""
 
-from fleet_tui.model.commands import (
-    CommandRecord,
-    Stage,
-)
+from fleet_tui.model.commands import CommandRecord, Stage
 from fleet_tui.model.events import Event
 from fleet_tui.model.fleet import FleetState
-from tests.support.fleets import (
-    R0,
-    T0,
-    fleet,
-    link_up,
-    place_order,
-    queue,
-    reduced,
-    tick,
-)
+from tests.support.fleets import R0, T0, fleet, link_up, place_order, queue, reduced, tick
 
 ORDER = place_order(R0, 1, 2)
 

@@ -36,11 +36,7 @@ async def test_only_rows_that_changed_are_painted_again() -> None:
         view.regions.clear()
         view.paint_rows(rows("one", "TWO", "three"))
         assert view.regions == [Region(0, 1, 20, 1)]
-        assert [now is before for now, before in zip(view.strips, strips, strict=True)] == [
-            True,
-            False,
-            True,
-        ]
+        assert [now is before for now, before in zip(view.strips, strips, strict=True)] == [True, False, True]
         assert [line.strip() for line in text(view)] == ["one", "TWO", "three"]
 
 

@@ -40,11 +40,7 @@ def _goal(names: Names, key: str, robot: Robot, args: Mapping[str, object]) -> A
     name = names.action(key, robot.name)
     if not name:
         raise CommandError(
-            Message(
-                "this robot has no {key}: [{table}.actions] {key} is empty",
-                key=key,
-                table=names.table,
-            )
+            Message("this robot has no {key}: [{table}.actions] {key} is empty", key=key, table=names.table)
         )
     return ActionGoal(name, names.action_type(key), args)
 

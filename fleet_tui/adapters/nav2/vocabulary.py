@@ -51,11 +51,7 @@ VOCABULARY = Vocabulary(
         "graph_load": ("/{robot}/route_server/set_route_graph", "nav2_msgs/SetRouteGraph"),
     },
     requests={**set_up.INVERSE, "map_save": MAP_SAVE, "graph_load": {"graph_filepath": "{path}"}},
-    answers={
-        "map_save": {"result": True},
-        "map_pose_graph": {"result": 0},
-        "graph_load": {"success": True},
-    },
+    answers={"map_save": {"result": True}, "map_pose_graph": {"result": 0}, "graph_load": {"success": True}},
     actions={
         "follow_waypoints": ("/{robot}/follow_waypoints", "nav2_msgs/action/FollowWaypoints"),
         "navigate_through_poses": (
@@ -71,9 +67,6 @@ VOCABULARY = Vocabulary(
         "drive_on_heading": ("/{robot}/drive_on_heading", "nav2_msgs/action/DriveOnHeading"),
         "assisted_teleop": ("/{robot}/assisted_teleop", "nav2_msgs/action/AssistedTeleop"),
     },
-    fields={
-        **shared.FIELDS,
-        "blocked": alike("action_type", "polygon_name"),
-    },
+    fields={**shared.FIELDS, "blocked": alike("action_type", "polygon_name")},
     scales=shared.SCALES,
 )

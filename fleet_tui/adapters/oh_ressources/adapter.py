@@ -12,14 +12,7 @@ from fleet_tui.adapters.oh_ressources.reading import read_graph, read_labels, re
 from fleet_tui.adapters.oh_ressources.vocabulary import VOCABULARY
 from fleet_tui.adapters.probes import Probe
 from fleet_tui.adapters.profile import Profile
-from fleet_tui.adapters.ros.facts import (
-    Translate,
-    read_bool,
-    read_map,
-    read_metadata,
-    read_number,
-    read_pose,
-)
+from fleet_tui.adapters.ros.facts import Translate, read_bool, read_map, read_metadata, read_number, read_pose
 from fleet_tui.adapters.ros.names import Names
 from fleet_tui.adapters.ros.set_up.reading import read_mode
 from fleet_tui.adapters.ros.set_up.requests import SetUpRequests

@@ -18,12 +18,7 @@ from fleet_tui.text.limits import (
     truncate,
 )
 
-STATES = {
-    "Q": OrderState.QUEUED,
-    "W": OrderState.IN_PROCESS,
-    "D": OrderState.DONE,
-    "C": OrderState.CANCELLED,
-}
+STATES = {"Q": OrderState.QUEUED, "W": OrderState.IN_PROCESS, "D": OrderState.DONE, "C": OrderState.CANCELLED}
 """The known letters. W and Q are from the source; the others occur."""
 
 

@@ -37,15 +37,7 @@ REPORTS = {
     "building": ("map",),
 }
 """The values in each topic."""
-ABILITIES = (
-    kind.ORDER,
-    kind.ORDER_TO,
-    kind.ORDER_ANY,
-    kind.CANCEL,
-    kind.CLEAR,
-    kind.PAUSE,
-    kind.RESUME,
-)
+ABILITIES = (kind.ORDER, kind.ORDER_TO, kind.ORDER_ANY, kind.CANCEL, kind.CLEAR, kind.PAUSE, kind.RESUME)
 SILENCE = dict.fromkeys(("queue", "paused", "progress"), math.inf)
 
 

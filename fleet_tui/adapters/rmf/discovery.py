@@ -39,8 +39,7 @@ def discover(listed: Listed) -> Discovery:
             if key in READERS:
                 continue  # not every site has them
             found.note(
-                "topics",
-                Message("{key}: no {topic} of type {type}", key=key, topic=topic, type=type_),
+                "topics", Message("{key}: no {topic} of type {type}", key=key, topic=topic, type=type_)
             )
     if "building" not in found.topics:
         found.live_maps |= set(floors)
@@ -53,10 +52,7 @@ def discover(listed: Listed) -> Discovery:
         else:
             found.note(
                 "topics",
-                Message(
-                    "{name} can't be a robot name here: letters, digits and ./_- only",
-                    name=f"{name!r}",
-                ),
+                Message("{name} can't be a robot name here: letters, digits and ./_- only", name=f"{name!r}"),
             )
     return found
 

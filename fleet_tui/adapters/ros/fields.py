@@ -23,11 +23,7 @@ POSE: Mapping[str, str] = {**HEADER, **placed("pose.")}
 """geometry_msgs/PoseStamped."""
 METADATA: Mapping[str, str] = alike("resolution", "width", "height", "origin")
 """nav_msgs/MapMetaData."""
-GRID: Mapping[str, str] = {
-    "info": "info",
-    **{name: f"info.{name}" for name in METADATA},
-    "data": "data",
-}
+GRID: Mapping[str, str] = {"info": "info", **{name: f"info.{name}" for name in METADATA}, "data": "data"}
 """nav_msgs/OccupancyGrid."""
 
 

@@ -28,13 +28,7 @@ from fleet_tui.model.vehicles.events import (
     NodesReported,
     VehicleReported,
 )
-from fleet_tui.model.vehicles.vehicle import (
-    HIGH,
-    Vehicle,
-    VehicleAction,
-    VehicleConnection,
-    VehicleFeatures,
-)
+from fleet_tui.model.vehicles.vehicle import HIGH, Vehicle, VehicleAction, VehicleConnection, VehicleFeatures
 from fleet_tui.text.language import Message
 
 ORDER = "order"
@@ -197,9 +191,7 @@ def read_factsheet(origin: MessageOrigin, message: Fields) -> Iterator[events.Ev
         facts |= dict(part.shown()) if part else {}
     protocol = message.part("protocolFeatures")
     features = VehicleFeatures(
-        _parameters(protocol),
-        _actions(protocol, "NODE"),
-        _actions(protocol, "INSTANT"),
+        _parameters(protocol), _actions(protocol, "NODE"), _actions(protocol, "INSTANT")
     )
     yield FactsheetReported(origin.robot, origin.at, dict(list(facts.items())[:MOST_FACTS]), features)
 

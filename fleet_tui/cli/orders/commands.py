@@ -216,12 +216,7 @@ def resume(robot: str | None, every: bool, options: OrderOptions) -> None:
 @click.option("--dry-run", is_flag=True, help="Show the commands without sending them.")
 @click.option("--keep-going", is_flag=True, help="Continue after a failed command.")
 @_takes_options
-def run(
-    file: str,
-    dry_run: bool,
-    keep_going: bool,
-    options: OrderOptions,
-) -> None:
+def run(file: str, dry_run: bool, keep_going: bool, options: OrderOptions) -> None:
     """Send the commands of a file, one after the other. One per line, as typed in the console's palette
     (robot_0 Base > Store, cancel robot_0 12, pause all). If FILE is -, read standard input. A line that
     begins with # is a comment. If a line is invalid, nothing is sent."""

@@ -110,11 +110,7 @@ def _robot(state: FleetState, robot: Robot) -> Values:
         "heard_s": _age(state, robot.last_received),
     }
     if "pose" in kind.reports:
-        values |= {
-            "floor": robot.floor,
-            "frame_id": robot.frame_id or None,
-            "pose": _pose(robot, state),
-        }
+        values |= {"floor": robot.floor, "frame_id": robot.frame_id or None, "pose": _pose(robot, state)}
     optional = {
         "battery": ("battery_percent", _value(robot.battery)),
         "cargo": ("cargo", _value(robot.cargo)),

@@ -205,8 +205,7 @@ class VehiclePacing:
         self._store = store
         self._frequent = dict[str, str]()
         self._plan = RatePlan(
-            config.rates.changes_per_s,
-            lambda _, before, after: int(before.unseen != after.unseen),
+            config.rates.changes_per_s, lambda _, before, after: int(before.unseen != after.unseen)
         )
         self.extend(feeds, 0.0)
 

@@ -278,12 +278,7 @@ class CommandChannel:
         return calls
 
     def _advance(
-        self,
-        command_id: int,
-        stage: Stage,
-        detail: Message = EMPTY,
-        at: float | None = None,
-        name: str = "",
+        self, command_id: int, stage: Stage, detail: Message = EMPTY, at: float | None = None, name: str = ""
     ) -> None:
         level = logging.INFO if stage in (Stage.SENT, Stage.ACCEPTED) else logging.WARNING
         LOG.log(level, "command %d: %s %s", command_id, stage.value, truncate(detail))

@@ -234,11 +234,7 @@ class Telemetry:
             self._take(
                 events.FrameRejected(
                     self._link,
-                    Message(
-                        "{payload} bytes dropped: {behind}",
-                        payload=f"{len(payload):,}",
-                        behind=behind,
-                    ),
+                    Message("{payload} bytes dropped: {behind}", payload=f"{len(payload):,}", behind=behind),
                 )
             )
             return

@@ -270,9 +270,7 @@ class DriveControls:
         self._parts.notices.note(
             sanitize(
                 Message(
-                    "{robot} is not driven any more: {reason}",
-                    robot=mode.robot,
-                    reason=drive.state.reason,
+                    "{robot} is not driven any more: {reason}", robot=mode.robot, reason=drive.state.reason
                 )
             )
         )

@@ -52,12 +52,7 @@ class EdgeValues:
         if value is not None and not (0 < value < math.inf or (word == COST and value == 0)):
             return Typed(problem=_EXPECTED[word])
         return Typed(
-            [
-                (
-                    Message("Edge: {shown}", shown=_shown(word, value)),
-                    partial(self._renew, word, value),
-                )
-            ]
+            [(Message("Edge: {shown}", shown=_shown(word, value)), partial(self._renew, word, value))]
         )
 
     def _renew(self, word: str, value: float | None) -> None:

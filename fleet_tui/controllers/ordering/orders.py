@@ -196,8 +196,7 @@ class OrderRequests:
         if before is None:
             self._notices.say(
                 Message(
-                    "order {order_id} is already there, or no longer waits here",
-                    order_id=sanitize(order_id),
+                    "order {order_id} is already there, or no longer waits here", order_id=sanitize(order_id)
                 )
             )
             return

@@ -122,10 +122,7 @@ class CameraControls:
             return
         self._is_decoding = True
         robot = self._robot
-        self._in_background(
-            lambda: _made(image.data, wanted),
-            lambda made: self._take(robot, wanted, *made),
-        )
+        self._in_background(lambda: _made(image.data, wanted), lambda made: self._take(robot, wanted, *made))
 
     def _take(
         self, robot: str, wanted: PictureRequest, decoded: Decoded, picture: PictureCells | None

@@ -99,10 +99,7 @@ class MappingControls:
             entries.append(
                 (
                     Message("Save this map to a file"),
-                    partial(
-                        self._parts.begin,
-                        f"{WORD} {file_name(scene.floor)}.yaml",
-                    ),
+                    partial(self._parts.begin, f"{WORD} {file_name(scene.floor)}.yaml"),
                 )
             )
         else:
@@ -115,10 +112,7 @@ class MappingControls:
             if robot.kind.can(ability) and not refusal:
                 line = f"{verb} {robot.name} {robot.floor or ''}"
                 entries.append(
-                    (
-                        Message("Store the {what} on the robot", what=what),
-                        partial(self._parts.begin, line),
-                    )
+                    (Message("Store the {what} on the robot", what=what), partial(self._parts.begin, line))
                 )
         self._parts.open_menu(
             joined("\n", map(sanitize, lines)), entries or [(Message("No action available"), lambda: None)]

@@ -218,11 +218,7 @@ def one_way_edges(edges: Iterable[DocumentEdge], taken: Iterable[str]) -> list[D
 
 def _are_opposite(one: DocumentEdge, other: DocumentEdge) -> bool:
     turned = replace(
-        other.reversed,
-        id=one.id,
-        reverse_id=one.reverse_id,
-        source_id=one.source_id,
-        repeats=one.repeats,
+        other.reversed, id=one.id, reverse_id=one.reverse_id, source_id=one.source_id, repeats=one.repeats
     )
     return turned == one
 

@@ -164,10 +164,7 @@ def _happened(marks: list[Mark]) -> Iterator[TimeMark]:
                 mark.at,
                 MarkKind.ALARM,
                 Message(
-                    "{robot} {text}{times}",
-                    robot=record.robot or record.link,
-                    text=record.words,
-                    times=again,
+                    "{robot} {text}{times}", robot=record.robot or record.link, text=record.words, times=again
                 ),
             )
         elif record.kind == "command" and record.change in _WORDS:
@@ -184,10 +181,7 @@ def _command(record: AuditRecord) -> Message:
     if record.change == Stage.CHECKED.value:
         return text
     return Message(
-        "{text}: {change}{detail}",
-        text=text,
-        change=record.change,
-        detail=detail_text(record.words),
+        "{text}: {change}{detail}", text=text, change=record.change, detail=detail_text(record.words)
     )
 
 

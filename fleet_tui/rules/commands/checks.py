@@ -69,9 +69,7 @@ def unknown_robot(state: FleetState, name: str) -> Problem:
     return Problem(
         "unknown robot",
         Message(
-            "unknown robot {name}{did_you_mean}",
-            name=name,
-            did_you_mean=did_you_mean(name, state.robots),
+            "unknown robot {name}{did_you_mean}", name=name, did_you_mean=did_you_mean(name, state.robots)
         ),
     )
 

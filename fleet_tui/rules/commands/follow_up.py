@@ -24,13 +24,7 @@ from fleet_tui.rules.causes import cause_of_end
 from fleet_tui.rules.commands.confirmation import is_repeated
 from fleet_tui.rules.commands.local_queue import next_id
 from fleet_tui.rules.commands.newest import last_command
-from fleet_tui.rules.commands.order_ends import (
-    BY_THIS_CONSOLE,
-    MAY_HAVE_REMOVED,
-    end_of,
-    removals,
-    removes,
-)
+from fleet_tui.rules.commands.order_ends import BY_THIS_CONSOLE, MAY_HAVE_REMOVED, end_of, removals, removes
 from fleet_tui.rules.commands.order_search import find_order
 from fleet_tui.rules.commands.pauses import is_overtaken
 from fleet_tui.text.language import Message
@@ -72,11 +66,7 @@ def _lost_pause(state: FleetState, robot: Robot, record: CommandRecord) -> Comma
     if last_command(state, robot, PauseRobot, ResumeRobot) is not record:
         return record
     return record.advanced(
-        Step(
-            Stage.LOST,
-            state.now,
-            Message("{reason}: no longer paused", reason=STARTED_OVER),
-        )
+        Step(Stage.LOST, state.now, Message("{reason}: no longer paused", reason=STARTED_OVER))
     )
 
 
@@ -119,11 +109,7 @@ def _cause(robot: Robot, gone: GoneOrder, reason: Message) -> Message:
 
 def _advanced_to(state: FleetState, record: CommandRecord, stage: Stage, reason: Message) -> CommandRecord:
     return record.advanced(
-        Step(
-            stage,
-            state.now,
-            Message("order {order_id}: {reason}", order_id=record.order_id, reason=reason),
-        )
+        Step(stage, state.now, Message("order {order_id}: {reason}", order_id=record.order_id, reason=reason))
     )
 
 

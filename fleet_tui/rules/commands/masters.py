@@ -101,11 +101,7 @@ def own_mode(state: FleetState, robot: Robot, command: Command) -> Iterator[Prob
         if vehicle.e_stop:
             yield Problem(
                 "e-stop",
-                Message(
-                    "{name} is stopped: {e_stop_text}",
-                    name=robot.name,
-                    e_stop_text=vehicle.e_stop_text,
-                ),
+                Message("{name} is stopped: {e_stop_text}", name=robot.name, e_stop_text=vehicle.e_stop_text),
                 blocks=False,
             )
         for grave in vehicle.errors:

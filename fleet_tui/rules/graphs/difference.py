@@ -49,10 +49,7 @@ def _of_vertex(before: DocumentFloor, after: DocumentFloor, id_: str) -> list[Gr
         found.append(GraphChange(N_("moved"), moved, id_))
     if old.label != new.label:
         text: str = Message(
-            "vertex {id}: {before} -> {after}",
-            id=id_,
-            before=_quoted(old.label),
-            after=_quoted(new.label),
+            "vertex {id}: {before} -> {after}", id=id_, before=_quoted(old.label), after=_quoted(new.label)
         )
         found.append(GraphChange(N_("relabelled"), text, id_))
     if old.type != new.type:
@@ -91,12 +88,7 @@ def _of_edge(old: _Way | None, new: _Way | None, id_: str) -> list[GraphChange]:
     return [
         GraphChange(
             N_("rewired"),
-            Message(
-                "edge {id}: {before} -> {after}",
-                id=id_,
-                before=_way_text(old),
-                after=_way_text(new),
-            ),
+            Message("edge {id}: {before} -> {after}", id=id_, before=_way_text(old), after=_way_text(new)),
             "",
             id_,
         )

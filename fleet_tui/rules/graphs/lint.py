@@ -97,9 +97,7 @@ def _unreachable(floor: DocumentFloor, inputs: LintInputs) -> list[GraphFinding]
         GraphFinding(
             "reach",
             Message(
-                "vertex {named}: {reason}",
-                named=named(floor.vertices[id_]),
-                reason=_reason(id_, found.traps),
+                "vertex {named}: {reason}", named=named(floor.vertices[id_]), reason=_reason(id_, found.traps)
             ),
             False,
             "",

@@ -59,10 +59,9 @@ def favourites(places: Iterable[Place], given: Sequence[Given]) -> list[Favourit
     # Equally frequent ones stay in their sequence, the newest first.
     often = (ends for ends, times in counted.most_common() if times >= OFTEN and ends != routes[0])
     found = [Favourite(*ends, Message("last")) for ends in routes[:1]]
-    return [
-        *found,
-        *(Favourite(*ends, Message("{count} times", count=counted[ends])) for ends in often),
-    ][:MOST]
+    return [*found, *(Favourite(*ends, Message("{count} times", count=counted[ends])) for ends in often)][
+        :MOST
+    ]
 
 
 def _ends(known: Mapping[str, Sequence[Place]], given: Given) -> tuple[Place, Place] | None:

@@ -114,8 +114,7 @@ class _Drawing:
         ended, end, self._now, self._at = self._now, self._at, began, at
         goes_on = (
             self.blocks(
-                block.otherwise,
-                Message("unless {condition}", condition=block.text.removeprefix("if ")),
+                block.otherwise, Message("unless {condition}", condition=block.text.removeprefix("if "))
             )
             and goes_on
         )

@@ -20,15 +20,7 @@ from fleet_tui.rules.commands.local_queue import waiting
 from fleet_tui.rules.commands.newest import last_command
 from fleet_tui.rules.commands.order_ends import seen_end
 from fleet_tui.rules.marks import LAST_KEY, mark_of
-from fleet_tui.rules.why.reason import (
-    LOOK_AT,
-    RECENT,
-    Reason,
-    Strength,
-    mission,
-    name_of,
-    stationary_since,
-)
+from fleet_tui.rules.why.reason import LOOK_AT, RECENT, Reason, Strength, mission, name_of, stationary_since
 from fleet_tui.rules.why.traffic import in_the_way, next_stop, vertex_here
 from fleet_tui.situation.links import is_late, unsourced
 from fleet_tui.situation.navigation import silent_navigation

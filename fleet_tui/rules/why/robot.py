@@ -12,12 +12,7 @@ from fleet_tui.rules.battery.charging import charger_used, charging_remedy, char
 from fleet_tui.rules.commands.newest import own_pause
 from fleet_tui.rules.commands.pauses import is_held, own_pause_text
 from fleet_tui.rules.localisation.jumps import recent_jumps
-from fleet_tui.rules.localisation.misplaced import (
-    OFF_ROUTE,
-    is_misplaced,
-    misplaced_for_long,
-    misplaced_text,
-)
+from fleet_tui.rules.localisation.misplaced import OFF_ROUTE, is_misplaced, misplaced_for_long, misplaced_text
 from fleet_tui.rules.localisation.off_route import is_off_route, metres_off
 from fleet_tui.rules.movement import JUMPS_WITHIN
 from fleet_tui.rules.why.reason import LOOK_AT, Reason, Strength, name_of, reason_of, stationary_since
@@ -192,9 +187,7 @@ def jumps(state: FleetState, robot: Robot) -> Reason | None:
     last, name = (
         recent[-1],
         Message(
-            "localisation jumps: {jumps} in {seconds} s",
-            jumps=len(recent),
-            seconds=f"{JUMPS_WITHIN:.0f}",
+            "localisation jumps: {jumps} in {seconds} s", jumps=len(recent), seconds=f"{JUMPS_WITHIN:.0f}"
         ),
     )
     evidence, keys = (

@@ -68,15 +68,7 @@ DEAF: tuple[Rule, ...] = (no_link, silent_robot, late_link)
 """If one of these holds, everything else is an earlier report. Silence for longer than the bridge is late
 is the robot's."""
 
-ASTRAY: tuple[Rule, ...] = (
-    misplaced,
-    jumps,
-    estimated,
-    off_graph,
-    not_stopped,
-    not_active,
-    still_driving,
-)
+ASTRAY: tuple[Rule, ...] = (misplaced, jumps, estimated, off_graph, not_stopped, not_active, still_driving)
 """Of a robot that moves, too."""
 
 FOLLOWING: tuple[Rule, ...] = (none_current, no_orders)

@@ -138,10 +138,7 @@ class DiagnosticsControls:
 class Diagnostics(PagedOverlay):
     """One table with the rows of the open page."""
 
-    BINDINGS: ClassVar[list[BindingType]] = [
-        *bindings(Pane.DIAGNOSTICS),
-        *overlay_bindings("diagnostics"),
-    ]
+    BINDINGS: ClassVar[list[BindingType]] = [*bindings(Pane.DIAGNOSTICS), *overlay_bindings("diagnostics")]
 
     def __init__(self, pages: Pages, keys: Mapping[str, tuple[str, ...]]) -> None:
         self._pages = pages

@@ -53,10 +53,7 @@ class Pages:
     log lines that are shown whole, `width` the cells of a row."""
 
     def __init__(
-        self,
-        state: Callable[[], FleetState],
-        backend: Backend,
-        clock: Callable[[float], str],
+        self, state: Callable[[], FleetState], backend: Backend, clock: Callable[[float], str]
     ) -> None:
         self._state = state
         self._backend = backend

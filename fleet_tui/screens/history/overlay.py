@@ -154,10 +154,7 @@ def _loss(rest: "Rest") -> Message:
 class HistoryOverlay(PagedOverlay):
     """One table with the rows of the open page. It reads nothing while it is closed."""
 
-    BINDINGS: ClassVar[list[BindingType]] = [
-        *bindings(Pane.HISTORY),
-        *overlay_bindings("history"),
-    ]
+    BINDINGS: ClassVar[list[BindingType]] = [*bindings(Pane.HISTORY), *overlay_bindings("history")]
 
     def __init__(self, screen: "MainScreen", pages: HistoryPages, replaying: PastReplay) -> None:
         self._pages = pages

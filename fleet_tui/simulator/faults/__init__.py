@@ -11,10 +11,7 @@ Faults = Mapping[str, tuple[str, wire.Play]]
 FAULTS: Faults = {
     "refuse": ("all orders are refused", wire.refuse),
     "late": (f"replies after {wire.LATE:g} s", wire.late),
-    "slow-answer": (
-        f"replies after {wire.SLOW:g} s: on ROS 2 the bridge times out first",
-        wire.slow_answer,
-    ),
+    "slow-answer": (f"replies after {wire.SLOW:g} s: on ROS 2 the bridge times out first", wire.slow_answer),
     "late-call": (f"a frozen node takes orders after {wire.LATE:g} s, then replies", wire.late_call),
     "obeys-late": (f"commands are answered at once and carried out after {wire.OBEYS:g} s", wire.obeys_late),
     "twice": ("every reply is sent twice", wire.twice),
@@ -32,10 +29,7 @@ FAULTS: Faults = {
         wire.lost_master,
     ),
     "frozen-rosapi": ("rosapi never replies, everything else does", wire.frozen_rosapi),
-    "overloaded": (
-        f"the bridge carries {wire.CARRIED:g} messages/s, the rest queues up",
-        wire.overloaded,
-    ),
+    "overloaded": (f"the bridge carries {wire.CARRIED:g} messages/s, the rest queues up", wire.overloaded),
     "dead-rosapi": ("no rosapi", wire.dead_rosapi),
     "half-dead": ("the bridge's ROS thread has ended: no topic, no node answers", wire.half_dead),
     "volatile-maps": (

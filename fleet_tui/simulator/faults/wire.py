@@ -43,10 +43,7 @@ def _answered(answer: Callable[["RosbridgeServer", str, Values], Values], verb: 
 
 
 def _refused(_server: "RosbridgeServer", _service: str, args: Values) -> Values:
-    return {
-        "request_id": args.get("request_id", 0),
-        "status": "REJECTED: the simulator was asked to refuse",
-    }
+    return {"request_id": args.get("request_id", 0), "status": "REJECTED: the simulator was asked to refuse"}
 
 
 def _obeyed_late(server: "RosbridgeServer", service: str, args: Values) -> Values:

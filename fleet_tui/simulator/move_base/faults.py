@@ -104,10 +104,7 @@ FAULTS: Faults = {
     "no-plan": ("no path to any goal: recoveries, then an abort", at_once(_no_plan)),
     "aborts": (f"every drive is aborted after {AWHILE:g} s", often(_aborts)),
     "dead-server": (f"move_base crashes {AWHILE:g} s after the first goal", often(_dies)),
-    "restart": (
-        f"move_base is restarted {AWHILE:g} s after the first goal: its goals are lost",
-        _restarts,
-    ),
+    "restart": (f"move_base is restarted {AWHILE:g} s after the first goal: its goals are lost", _restarts),
     "no-feedback": ("no feedback while driving", at_once(_no_feedback)),
     "unlocalised": ("no pose from amcl", _unlocalised),
     "never": ("goals and cancellations are ignored", _intercepted(_lost)),

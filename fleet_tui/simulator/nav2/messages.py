@@ -19,10 +19,7 @@ GIGA = 10**9
 
 def collision(blocked: bool) -> Message:
     """nav2_msgs/CollisionMonitorState."""
-    return {
-        "action_type": STOP if blocked else NOTHING,
-        "polygon_name": "PolygonStop" if blocked else "",
-    }
+    return {"action_type": STOP if blocked else NOTHING, "polygon_name": "PolygonStop" if blocked else ""}
 
 
 def statuses(report: list[tuple[Id, int, int]]) -> Message:

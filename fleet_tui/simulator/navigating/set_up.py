@@ -40,11 +40,7 @@ class SetUpDesk:
     `files`: the services that save or load files."""
 
     def __init__(
-        self,
-        world: NavigatingWorld[Any],
-        localise: str,
-        switch: str,
-        files: FileServices = NO_FILES,
+        self, world: NavigatingWorld[Any], localise: str, switch: str, files: FileServices = NO_FILES
     ) -> None:
         self._robots = world.robots
         self._building = world.building

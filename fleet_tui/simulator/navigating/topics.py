@@ -100,10 +100,7 @@ def body_topics(robot: NavigatingRobot, dialect: Dialect) -> Iterator[Topic]:
     lens = messages.headers(dialect, f"{robot.name}/camera")
     yield camera_topic(robot, lambda: robot.floor.cells, lens, dialect)
     yield topic(
-        "battery_state",
-        "sensor_msgs/BatteryState",
-        lambda now: messages.battery(robot, charge(now)),
-        turns=2,
+        "battery_state", "sensor_msgs/BatteryState", lambda now: messages.battery(robot, charge(now)), turns=2
     )
 
 

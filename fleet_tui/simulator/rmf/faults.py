@@ -119,9 +119,6 @@ FAULTS: Faults = {
     "obstacle": ("permanent obstacle", _member(_stuck)),
     "issue": ("its fleet adapter reports an issue", _member(_issue)),
     "battery": (f"its battery has {FLAT:g} %", _member(_battery)),
-    "overloaded": (
-        f"the bridge carries {wire.CARRIED:g} messages/s, the rest queues up",
-        wire.overloaded,
-    ),
+    "overloaded": (f"the bridge carries {wire.CARRIED:g} messages/s, the rest queues up", wire.overloaded),
     "dead-rosapi": ("no rosapi", wire.dead_rosapi),
 }

@@ -49,11 +49,7 @@ class ActionServer:
     """
 
     def __init__(
-        self,
-        name: str,
-        type_: str,
-        decide: Callable[[Message], bool],
-        begin: Callable[[ServedGoal], None],
+        self, name: str, type_: str, decide: Callable[[Message], bool], begin: Callable[[ServedGoal], None]
     ) -> None:
         self.name = name
         self.type = type_

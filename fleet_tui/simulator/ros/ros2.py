@@ -10,12 +10,7 @@ from fleet_tui.simulator.ros.definitions import ACTIONS, MESSAGES, PACKAGES, SER
 from fleet_tui.simulator.ros.dialect import Dialect, Message
 from fleet_tui.simulator.ros.ros1 import COMMON_VERBS
 
-ACTION_VERBS = (
-    "action_type",
-    "action_goal_details",
-    "action_result_details",
-    "action_feedback_details",
-)
+ACTION_VERBS = ("action_type", "action_goal_details", "action_result_details", "action_feedback_details")
 _RENAMED = {"rosgraph_msgs/Log": "rcl_interfaces/Log", "rosapi": "rosapi_msgs"}
 _PRIMITIVES = {"bool": "boolean", "float32": "float", "float64": "double", "byte": "octet"}
 _TIME = RosField("builtin_interfaces/Time")

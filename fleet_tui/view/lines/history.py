@@ -39,12 +39,7 @@ def page_runs(page: int, span: str, until: str, width: int) -> tuple[list[Run], 
     return [
         title,
         (
-            tr(
-                "[{page} of {pages} {name}]",
-                page=page,
-                pages=len(HISTORY_PAGES),
-                name=tr(name),
-            ),
+            tr("[{page} of {pages} {name}]", page=page, pages=len(HISTORY_PAGES), name=tr(name)),
             StyleRole.TITLE_FOCUSED,
         ),
     ], time

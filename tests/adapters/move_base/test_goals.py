@@ -7,25 +7,11 @@ import pytest
 
 from fleet_tui.adapters.adapter import ServiceCall
 from fleet_tui.errors import CommandError
-from fleet_tui.model.commands import (
-    CancelOrder,
-    ClearOrders,
-    PauseRobot,
-    PlaceOrder,
-    ResumeRobot,
-)
+from fleet_tui.model.commands import CancelOrder, ClearOrders, PauseRobot, PlaceOrder, ResumeRobot
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.navigation import Goal
 from fleet_tui.model.order import Stop, at_vertices
-from tests.support.move_base_adapter import (
-    NEVER,
-    OWN,
-    RVIZ,
-    adapter,
-    listed,
-    robot,
-    sent,
-)
+from tests.support.move_base_adapter import NEVER, OWN, RVIZ, adapter, listed, robot, sent
 
 
 class TestSent:

@@ -6,15 +6,7 @@ from fleet_tui.errors import WireError
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.navigation_events import Alive, GoalsReported, LocalisationReported, TargetReported
 from fleet_tui.model.order import OrderState
-from tests.support.move_base_adapter import (
-    NEVER,
-    OWN,
-    RVIZ,
-    adapter,
-    listed,
-    read,
-    status,
-)
+from tests.support.move_base_adapter import NEVER, OWN, RVIZ, adapter, listed, read, status
 
 
 class TestHeard:

@@ -2,12 +2,7 @@
 
 import pytest
 
-from fleet_tui.model.commands import (
-    CancelOrder,
-    PauseRobot,
-    PlaceOrder,
-    Stage,
-)
+from fleet_tui.model.commands import CancelOrder, PauseRobot, PlaceOrder, Stage
 from fleet_tui.model.order import at_vertices
 from tests.support.nav2_adapter import adapter
 

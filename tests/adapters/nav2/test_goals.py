@@ -13,9 +13,7 @@ from fleet_tui.adapters.profile import Profile
 from fleet_tui.errors import CommandError
 from fleet_tui.model.commands import CancelOrder, ClearOrders, PauseRobot, PlaceOrder, ResumeRobot
 from fleet_tui.model.geometry import Pose
-from fleet_tui.model.navigation_events import (
-    GoalsReported,
-)
+from fleet_tui.model.navigation_events import GoalsReported
 from fleet_tui.model.order import at_vertices
 from tests.support.nav2_adapter import UUID, ZERO, adapter, known, robot
 

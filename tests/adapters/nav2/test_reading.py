@@ -9,10 +9,7 @@ import pytest
 from fleet_tui.adapters.adapter import ActionGoal
 from fleet_tui.adapters.ros.operations import Publish, decode
 from fleet_tui.errors import WireError
-from fleet_tui.model.commands import (
-    PlaceOrder,
-    Stage,
-)
+from fleet_tui.model.commands import PlaceOrder, Stage
 from fleet_tui.model.events import BatteryReported
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.navigation_events import (

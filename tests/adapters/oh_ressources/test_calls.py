@@ -10,14 +10,7 @@ from hypothesis import strategies as st
 from fleet_tui.adapters.adapter import ServiceCall
 from fleet_tui.adapters.profile import Profile
 from fleet_tui.errors import CommandError
-from fleet_tui.model.commands import (
-    CancelOrder,
-    ClearOrders,
-    Command,
-    PauseRobot,
-    PlaceOrder,
-    ResumeRobot,
-)
+from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, PauseRobot, PlaceOrder, ResumeRobot
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.order import Stop, at_vertices
 from fleet_tui.model.robot import Robot
@@ -43,11 +36,7 @@ def call(command: Command, request_id: int = 5, profile: Profile | None = None) 
     ("command", "service", "args"),
     [
         (place_order("r1", 0, 7), "Execute_order", {"request_id": 5, "initial_point": 0, "end_point": 7}),
-        (
-            place_order("r1", 7),
-            "Execute_order_with_cargo",
-            {"request_id": 5, "agent": "r1", "end_point": 7},
-        ),
+        (place_order("r1", 7), "Execute_order_with_cargo", {"request_id": 5, "agent": "r1", "end_point": 7}),
         (CancelOrder("r1", "3"), "Cancel_order", {"robot": "r1", "ind": 3}),
         (ClearOrders("r1"), "Clear_orders", {"robot": "r1", "ind": 0}),
         (PauseRobot("r1"), "Pause", {}),
@@ -71,11 +60,7 @@ def test_a_cancel_that_would_mean_all_is_refused(order_id: int) -> None:
 
 @pytest.mark.parametrize("beyond", [2**31, -(2**31) - 1, 10**30])
 def test_what_does_not_fit_the_robots_ids_is_refused(beyond: int) -> None:
-    for command in (
-        place_order("r1", beyond, 1),
-        place_order("r1", 1, beyond),
-        place_order("r1", beyond),
-    ):
+    for command in (place_order("r1", beyond, 1), place_order("r1", 1, beyond), place_order("r1", beyond)):
         with pytest.raises(CommandError, match=str(beyond)):
             call(command)
     with pytest.raises(CommandError):
@@ -128,10 +113,6 @@ def test_calls_under_other_names() -> None:
     profile = Profile(fields=names, services={"order": "/fleet/{robot}/go"})
     made = call(place_order("r1", 0, 7), profile=profile)
     assert (made.address, made.args) == ("/fleet/r1/go", {"rid": 5, "from": 0, "to": 7})
-    assert call(place_order("r1", 7), profile=profile).args == {
-        "request_id": 5,
-        "who": "r1",
-        "end_point": 7,
-    }
+    assert call(place_order("r1", 7), profile=profile).args == {"request_id": 5, "who": "r1", "end_point": 7}
     assert call(CancelOrder("r1", "3"), profile=profile).args == {"name": "r1", "number": 3}
     assert call(ClearOrders("r1"), profile=profile).args == {"name": "r1", "number": 0}

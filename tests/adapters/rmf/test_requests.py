@@ -8,14 +8,7 @@ from msgspec.structs import replace
 
 from fleet_tui.adapters.adapter import Publication
 from fleet_tui.errors import CommandError
-from fleet_tui.model.commands import (
-    CancelOrder,
-    ClearOrders,
-    Command,
-    PauseRobot,
-    PlaceOrder,
-    ResumeRobot,
-)
+from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, PauseRobot, PlaceOrder, ResumeRobot
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.navigation import Goal
 from fleet_tui.model.order import OrderState, Stop, at_vertices

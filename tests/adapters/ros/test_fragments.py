@@ -3,9 +3,7 @@
 import pytest
 
 from fleet_tui.adapters.ros.fragments import MOST_MESSAGES, Fragments
-from fleet_tui.adapters.ros.operations import (
-    Fragment,
-)
+from fleet_tui.adapters.ros.operations import Fragment
 from fleet_tui.errors import WireError
 
 

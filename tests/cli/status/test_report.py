@@ -5,12 +5,7 @@ from fleet_tui.model.events import ObstacleReported
 from fleet_tui.model.fleets.events import FacilityReported
 from fleet_tui.model.fleets.facility import LANES, LIFT, Facility
 from fleet_tui.text.language import Message
-from tests.support.fleets import (
-    R0,
-    T0,
-    reduced,
-    tick,
-)
+from tests.support.fleets import R0, T0, reduced, tick
 from tests.support.kinds import BARE, FULL, LATE, received
 from tests.support.rmf import rmf_fleet
 

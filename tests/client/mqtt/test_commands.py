@@ -373,7 +373,4 @@ async def test_why_a_vehicle_goes_on_charging_is_told(tmp_path: Path) -> None:
             failed = {**action, "actionStatus": "FAILED", "resultDescription": "contact welded"}
             vehicle.say(batteryState={"batteryCharge": 50.0, "charging": True}, actionStates=[failed])
             record = await waiting
-            assert (record.stage, record.detail) == (
-                Stage.NOT_SENT,
-                "agv is still charging: contact welded",
-            )
+            assert (record.stage, record.detail) == (Stage.NOT_SENT, "agv is still charging: contact welded")

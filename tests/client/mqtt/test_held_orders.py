@@ -193,8 +193,7 @@ async def test_a_first_state_that_shows_a_charge_ends_that_before_the_order(site
 
 
 async def test_an_order_of_the_queue_that_is_cancelled_while_its_vehicle_ends_its_charge_is_not_sent(
-    broker: RealBroker,
-    tmp_path: Path,
+    broker: RealBroker, tmp_path: Path
 ) -> None:
     vehicle = SpokenFor(broker)
     async with queueing(broker.url, keeping(tmp_path)) as (link, store):

@@ -104,13 +104,7 @@ async def test_a_lost_link_and_a_fault_of_our_own_leave_the_end_unknown(
 
 def test_frames_are_recorded_whatever_is_in_them() -> None:
     ear = Ear()
-    good = {
-        "op": "service_response",
-        "id": "1",
-        "service": "/s",
-        "values": {},
-        "result": True,
-    }
+    good = {"op": "service_response", "id": "1", "service": "/s", "values": {}, "result": True}
     frames = [(json.dumps(good).encode(), False), (b"{", False), (b"\xff", True)]
     found = [decoded(ear, "rosbridge", payload, is_binary) for payload, is_binary in frames]
     assert isinstance(found[0], ServiceResponse) and found[1:] == [None, None]

@@ -5,12 +5,7 @@ import pytest
 
 from fleet_tui.config.schema import Config
 from fleet_tui.demo import demo_config
-from fleet_tui.model.commands import (
-    CancelOrder,
-    PauseRobot,
-    ResumeRobot,
-    Stage,
-)
+from fleet_tui.model.commands import CancelOrder, PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.events import CommandAdvanced
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.simulator.kinds import play

@@ -86,11 +86,7 @@ async def test_without_a_file_a_name_is_asked_and_other_floors_of_a_file_stay(tm
 
 
 @pytest.mark.parametrize(
-    ("line", "said"),
-    [
-        ("write", "a file, then a format"),
-        ("write a.yaml rfm", "did you mean rmf"),
-    ],
+    ("line", "said"), [("write", "a file, then a format"), ("write a.yaml rfm", "did you mean rmf")]
 )
 async def test_a_line_says_what_it_lacks(line: str, said: str) -> None:
     async with drawn_graph() as it:

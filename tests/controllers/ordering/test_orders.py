@@ -97,7 +97,7 @@ def test_the_menu_of_an_order_gives_it_again_and_back() -> None:
     (menu,) = desk.menus
     assert menu.title.startswith(f"Order 1 of {R0}: ")
     assert [text.partition(":")[0] for text in menu.texts] == [
-        *("Cancel order", "Repeat", "Return trip", f"Clear all orders of {R0}"),
+        *("Cancel order", "Repeat", "Return trip", f"Clear all orders of {R0}")
     ]
     menu.choose("Return trip")
     menu.choose("Clear")

@@ -69,11 +69,7 @@ TILTED = Transform("base_link", (0.0, 0.0, 0.0), turned(pitch=math.pi / 2))
 
 @pytest.mark.parametrize(
     "frames",
-    [
-        {},
-        {"laser": Transform("mast", (0.0, 0.0, 0.0), turned())},
-        {"laser": TILTED},
-    ],
+    [{}, {"laser": Transform("mast", (0.0, 0.0, 0.0), turned())}, {"laser": TILTED}],
     ids=["nothing", "no way to the base", "a laser that looks up"],
 )
 def test_without_a_place_on_the_ground_there_is_none(frames: Frames) -> None:

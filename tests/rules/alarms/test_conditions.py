@@ -13,16 +13,7 @@ from fleet_tui.model.navigation_events import ErrorReported
 from fleet_tui.rules.why.why import reasons
 from fleet_tui.text.language import Message
 from tests.support.alarms import alarm, alarms, up
-from tests.support.fleets import (
-    LINK,
-    R0,
-    T0,
-    battery,
-    pose,
-    queue,
-    reduced,
-    tick,
-)
+from tests.support.fleets import LINK, R0, T0, battery, pose, queue, reduced, tick
 
 ORDER = (12, 1, 2, "W")
 

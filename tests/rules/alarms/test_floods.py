@@ -6,19 +6,7 @@ from fleet_tui.model.desk import events as desk_events
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.text.language import Message
 from tests.support.alarms import alarm, up
-from tests.support.fleets import (
-    LINK,
-    R0,
-    T0,
-    battery,
-    fleet,
-    link_lost,
-    link_up,
-    pose,
-    queue,
-    reduced,
-    tick,
-)
+from tests.support.fleets import LINK, R0, T0, battery, fleet, link_lost, link_up, pose, queue, reduced, tick
 
 
 def silence(state: FleetState, gone: set[int], robots: int, start: float, seconds: float) -> FleetState:
@@ -26,9 +14,7 @@ def silence(state: FleetState, gone: set[int], robots: int, start: float, second
     for n in range(round(seconds * 10)):
         at = start + n / 10
         state = reduced(
-            state,
-            *(battery(at, robot=f"robot_{n}") for n in range(robots) if n not in gone),
-            tick(at),
+            state, *(battery(at, robot=f"robot_{n}") for n in range(robots) if n not in gone), tick(at)
         )
     return state
 

@@ -13,12 +13,7 @@ from fleet_tui.model.order_life import GoneOrder
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.rules.alarms.classes import CLASSES, action_of
 from fleet_tui.rules.alarms.conditions import stop
-from fleet_tui.rules.alarms.navigation import (
-    NO_POSE_AFTER,
-    failed_order,
-    held_orders,
-    not_sure_where,
-)
+from fleet_tui.rules.alarms.navigation import NO_POSE_AFTER, failed_order, held_orders, not_sure_where
 from fleet_tui.rules.causes import HELD_FAST
 from fleet_tui.rules.commands.failures import FAILED_FOR
 from fleet_tui.rules.commands.local_queue import ANOTHER_CLIENT

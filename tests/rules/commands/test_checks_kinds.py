@@ -15,18 +15,7 @@ from fleet_tui.model.problem import Permissions
 from fleet_tui.model.request import Request
 from fleet_tui.rules.commands.abilities import unaccepted
 from fleet_tui.rules.commands.checks import acceptable, problems
-from tests.support.fleets import (
-    R0,
-    T0,
-    fleet,
-    link_up,
-    of_kinds,
-    place_order,
-    pose,
-    queue,
-    reduced,
-    tick,
-)
+from tests.support.fleets import R0, T0, fleet, link_up, of_kinds, place_order, pose, queue, reduced, tick
 from tests.support.kinds import FULL, GOALS, MUTE, moved
 
 

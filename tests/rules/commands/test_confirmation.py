@@ -130,14 +130,7 @@ def test_what_was_to_go_is_gone_or_is_named(
     assert ("order 4 is" in only(state).detail) is (stage is Stage.NOT_CONFIRMED)
 
 
-COMMANDS = [
-    ORDER,
-    place_order(R0, 2),
-    CancelOrder(R0, "4"),
-    ClearOrders(R0),
-    PauseRobot(R0),
-    ResumeRobot(R0),
-]
+COMMANDS = [ORDER, place_order(R0, 2), CancelOrder(R0, "4"), ClearOrders(R0), PauseRobot(R0), ResumeRobot(R0)]
 
 
 class Life(RuleBasedStateMachine):

@@ -10,19 +10,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.rules.commands.failures import DRIVES_ON, MAY_FOLLOW
 from fleet_tui.text.language import Message
 from tests.support.alarms import alarm, alarms, up
-from tests.support.fleets import (
-    LINK,
-    R0,
-    T0,
-    WALL,
-    battery,
-    graph,
-    labels,
-    place_order,
-    queue,
-    reduced,
-    tick,
-)
+from tests.support.fleets import LINK, R0, T0, WALL, battery, graph, labels, place_order, queue, reduced, tick
 
 
 def ended(id_: int, at: float, *stages: Stage, detail: str = "") -> list[events.Event]:

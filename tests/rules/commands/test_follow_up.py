@@ -4,29 +4,13 @@ from fleet_tui.model.commands import CancelOrder, ClearOrders, PauseRobot, Place
 from fleet_tui.model.events import CommandAdvanced, CommandIssued
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
-from fleet_tui.model.navigation_events import (
-    OdometryReported,
-    TargetReported,
-)
+from fleet_tui.model.navigation_events import OdometryReported, TargetReported
 from fleet_tui.model.order import Stop, at_vertices
 from fleet_tui.model.request import given_now
 from fleet_tui.rules.commands.local_queue import foreign, next_to_send, orders_to_save
 from fleet_tui.text.language import Message
 from tests.support.fleets import F0, R0, T0, reduced, tick
-from tests.support.legs import (
-    A_B,
-    DONE,
-    FAILED,
-    KIND,
-    OFF,
-    REFUSED,
-    goal,
-    goals,
-    lived,
-    record,
-    sent,
-    site,
-)
+from tests.support.legs import A_B, DONE, FAILED, KIND, OFF, REFUSED, goal, goals, lived, record, sent, site
 
 
 def test_an_order_is_recognised_by_its_name_alone() -> None:

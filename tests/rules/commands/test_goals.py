@@ -18,12 +18,7 @@ from fleet_tui.rules.commands.goals import (
     without,
 )
 
-ON, DONE, FAILED, REPLACED = (
-    OrderState.IN_PROCESS,
-    OrderState.DONE,
-    OrderState.FAILED,
-    OrderState.REPLACED,
-)
+ON, DONE, FAILED, REPLACED = (OrderState.IN_PROCESS, OrderState.DONE, OrderState.FAILED, OrderState.REPLACED)
 
 
 def goal(id_: str, state: OrderState = ON, action: str = "go", leads: bool = False) -> Goal:

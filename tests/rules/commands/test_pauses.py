@@ -3,12 +3,7 @@
 import pytest
 from msgspec.structs import replace
 
-from fleet_tui.model.commands import (
-    Command,
-    PauseRobot,
-    ResumeRobot,
-    Stage,
-)
+from fleet_tui.model.commands import Command, PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.events import CommandPathChanged, PausedReported, PoseReported, TimePassed
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.history.facts import Activity
@@ -20,15 +15,7 @@ from fleet_tui.rules.commands.pauses import own_pause_text
 from fleet_tui.rules.history.activity import activity
 from fleet_tui.rules.why.why import reasons
 from fleet_tui.view.lines.status import console_notes
-from tests.support.fleets import (
-    LINK,
-    R0,
-    T0,
-    commanded,
-    pose,
-    reduced,
-    tick,
-)
+from tests.support.fleets import LINK, R0, T0, commanded, pose, reduced, tick
 from tests.support.legs import goal, lived, site
 from tests.support.one_command import ACCEPTED, NO_ANSWER, PATIENCE, SENT, only, up
 
@@ -57,10 +44,7 @@ def test_a_pause_that_a_topic_is_to_show_waits_for_it() -> None:
     assert only(state).stage is ACCEPTED
     assert only(reduced(state, PausedReported(R0, T0 + 1, True), tick(T0 + 1))).stage is Stage.CONFIRMED
     silent = only(reduced(state, tick(T0 + PATIENCE)))
-    assert (silent.stage, silent.detail) == (
-        Stage.NOT_CONFIRMED,
-        "accepted; no message on the pause topic",
-    )
+    assert (silent.stage, silent.detail) == (Stage.NOT_CONFIRMED, "accepted; no message on the pause topic")
 
 
 def test_a_robot_that_was_driving_and_stands_still_is_seen_to_have_paused() -> None:

@@ -11,14 +11,7 @@ from fleet_tui.model.problem import Permissions
 from fleet_tui.model.request import Request
 from fleet_tui.rules.commands.checks import problems
 from tests.support.checked_orders import F1, floor, found, ready
-from tests.support.fleets import (
-    F0,
-    R0,
-    graph,
-    labels,
-    of_kinds,
-    place_order,
-)
+from tests.support.fleets import F0, R0, graph, labels, of_kinds, place_order
 
 
 def test_floors_are_joined_by_elevators_that_the_graphs_name() -> None:

@@ -7,15 +7,7 @@ from itertools import pairwise
 import pytest
 
 from fleet_tui.model.set_up.driving import STILL, DrivePhase, Speeds, Steering
-from fleet_tui.rules.driving.session import (
-    ECHO_WITHIN,
-    FOREIGN,
-    LATEST,
-    PERIOD,
-    RETRY,
-    ZEROS,
-    DriveSession,
-)
+from fleet_tui.rules.driving.session import ECHO_WITHIN, FOREIGN, LATEST, PERIOD, RETRY, ZEROS, DriveSession
 from fleet_tui.rules.driving.speed import Caps
 from fleet_tui.text.language import Message
 

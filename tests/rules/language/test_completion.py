@@ -4,11 +4,7 @@ import pytest
 
 from fleet_tui.model.kind import PAUSE, Kind
 from fleet_tui.rules.language.completion import complete
-from tests.support.fleets import (
-    R0,
-    labels,
-    reduced,
-)
+from tests.support.fleets import R0, labels, reduced
 from tests.support.kinds import FULL, MUTE, moved
 from tests.support.typed import known
 

@@ -5,14 +5,7 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 from fleet_tui.errors import CommandError
-from fleet_tui.model.commands import (
-    CancelOrder,
-    ClearOrders,
-    Command,
-    PauseRobot,
-    ResumeRobot,
-    Stage,
-)
+from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.events import QueueReported
 from fleet_tui.model.kind import ORDER_TO, Kind
 from fleet_tui.model.order import Order, OrderQueue, OrderState, at_vertices
@@ -199,11 +192,7 @@ def test_a_line_begins_as_a_command_or_is_a_search() -> None:
         line
         for line in ("pause", "pause ", "robot_0 B", "zoom in", "1 x", "", " ")
         if is_command(line, state)
-    ] == [
-        "pause ",
-        "robot_0 B",
-        "1 x",
-    ]
+    ] == ["pause ", "robot_0 B", "1 x"]
 
 
 def test_an_order_that_waits_here_is_cancelled_by_its_id() -> None:

@@ -8,17 +8,7 @@ from fleet_tui.model.events import CargoReported
 from fleet_tui.model.kind import ORDER, ORDER_TO, Kind
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.language.lookup import Place, matches, places, plain_id, starts_here
-from tests.support.fleets import (
-    F0,
-    R0,
-    T0,
-    fleet,
-    graph,
-    labels,
-    pose,
-    queue,
-    reduced,
-)
+from tests.support.fleets import F0, R0, T0, fleet, graph, labels, pose, queue, reduced
 from tests.support.kinds import FULL, GOALS, moved
 
 NAMED = {1: "Base", 2: "Consumidores", 3: "Dock 7", 7: "Lab base"}

@@ -9,21 +9,7 @@ from fleet_tui.rules.routines.parsing import MOST_LINES, parse_routine
 from tests.support.routines import MORNING, bodies
 
 WORDS = ("for", "robot_0", "go", "carry", "wait", "30", "s", "until", "repeat", "if", "else", "end", "on")
-MORE = (
-    "failure",
-    "every",
-    "day",
-    "06:30",
-    "battery",
-    "<",
-    "'",
-    "#",
-    "run",
-    "within",
-    "\x1b[2J",
-    "\n",
-    "\n",
-)
+MORE = ("failure", "every", "day", "06:30", "battery", "<", "'", "#", "run", "within", "\x1b[2J", "\n", "\n")
 
 
 def test_a_whole_file() -> None:

@@ -15,17 +15,7 @@ from fleet_tui.rules.why.orders import RESTART
 from fleet_tui.rules.why.reason import LOOK_AT, Reason
 from fleet_tui.rules.why.why import reasons
 from fleet_tui.text.language import Message
-from tests.support.fleets import (
-    LINK,
-    R0,
-    T0,
-    commanded,
-    place_order,
-    pose,
-    queue,
-    reduced,
-    tick,
-)
+from tests.support.fleets import LINK, R0, T0, commanded, place_order, pose, queue, reduced, tick
 from tests.support.kinds import FULL, GOALS, moved
 from tests.support.situations import driving, first, names
 

@@ -3,17 +3,8 @@
 import pytest
 from msgspec.structs import replace
 
-from fleet_tui.model.commands import (
-    PauseRobot,
-    ResumeRobot,
-    Stage,
-)
-from fleet_tui.model.events import (
-    BridgeAnswered,
-    CommandAdvanced,
-    Event,
-    PausedReported,
-)
+from fleet_tui.model.commands import PauseRobot, ResumeRobot, Stage
+from fleet_tui.model.events import BridgeAnswered, CommandAdvanced, Event, PausedReported
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.kind import Kind
 from fleet_tui.rules.alarms.classes import CLASSES
@@ -42,10 +33,7 @@ from tests.support.situations import driving, first, names
 
 def test_a_pause_names_where_it_came_from_and_the_key() -> None:
     elsewhere = first(driving(then="paused").run(3))
-    assert (elsewhere.evidence, elsewhere.keys) == (
-        "not sent by this console",
-        ("resume",),
-    )
+    assert (elsewhere.evidence, elsewhere.keys) == ("not sent by this console", ("resume",))
     planted = driving().command(PauseRobot(R0))
     at = planted.now
     here = first(planted.run(3))

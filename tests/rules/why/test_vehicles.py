@@ -66,11 +66,7 @@ def first(**fields: Any) -> Reason:
             "it asks its master control for a new route in zone z3 (revoked), the corridor of edge e4",
         ),
         ({"errors": [error("FATAL", text="hot")]}, "motorError", "fatal motorError: hot"),
-        (
-            {"agvPosition": position(positionInitialized=False)},
-            "not localised",
-            "reported by the vehicle",
-        ),
+        ({"agvPosition": position(positionInitialized=False)}, "not localised", "reported by the vehicle"),
         (
             {"orderId": "o", "nodeStates": [node("b", 2)], "safetyState": {"fieldViolation": True}},
             "blocked 4.0 s (seen)",

@@ -7,12 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from fleet_tui.keys import KEYS
-from fleet_tui.model.commands import (
-    ClearOrders,
-    Command,
-    PauseRobot,
-    Stage,
-)
+from fleet_tui.model.commands import ClearOrders, Command, PauseRobot, Stage
 from fleet_tui.model.events import (
     CargoReported,
     CommandAdvanced,
@@ -92,10 +87,7 @@ SITUATIONS: dict[str, tuple[Callable[[], Planted], str]] = {
     "pose stays away": (lambda: driving(then="stale:robot_0").run(9), "pose 9 s old"),
     "localisation lost": (lambda: driving(then="jumping:robot_0").run(6), "localisation jumps"),
     "stuck": (lambda: driving(then="stuck:robot_0").run(60), "cause unknown"),
-    "stuck at the start": (
-        lambda: driving("stuck:robot_0", FROM_HERE).run(62),
-        "cause unknown",
-    ),
+    "stuck at the start": (lambda: driving("stuck:robot_0", FROM_HERE).run(62), "cause unknown"),
     "loading": (lambda: Planted().run(1).command(FROM_HERE).run(2), "loading at Base"),
     "unloading": (
         lambda: loaded(Planted().run(1)).command(place_order(R0, BASE)).run(2),

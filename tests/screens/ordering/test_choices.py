@@ -154,10 +154,7 @@ def test_a_destination_has_its_distance_from_the_start_of_the_order_also_while_t
 def test_the_form_tells_which_places_are_listed_before_anything_is_typed() -> None:
     state, stays = site(), site(Kind("stays", ("pose", "graph"), (ORDER,), changes_floors=False))
     told = [scope(one.robots[R0], "", choices(one, one.robots[R0], "to", "")) for one in (state, stays)]
-    assert told == [
-        "3 on floor_0, then 2 elsewhere",
-        "3 of 5, all on floor_0: type for others",
-    ]
+    assert told == ["3 on floor_0, then 2 elsewhere", "3 of 5, all on floor_0: type for others"]
     assert scope(state.robots[R0], "Ba", choices(state, state.robots[R0], "to", "Ba")) == ""
     typed = choices(stays, stays.robots[R0], "to", "kitchen")
     assert [one.name for one in typed if isinstance(one, Place)] == ["Kitchen"]

@@ -5,9 +5,7 @@ from tests.support.console_pilot import console
 from tests.support.watched_store import config_of
 
 
-async def test_reasons_and_page_lead_to_each_other_and_back_to_the_focus(
-    server: RosbridgeServer,
-) -> None:
+async def test_reasons_and_page_lead_to_each_other_and_back_to_the_focus(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 2)) as it:
         rest = it.app.main.rest
         await it.press("tab")

@@ -162,11 +162,7 @@ class TestFirstLost:
         assert not fleet.navigation["robot_0"].received
 
     async def test_what_is_advertised_before_is_heard(
-        self,
-        server: RosbridgeServer,
-        client: ClientConnection,
-        other: ClientConnection,
-        fleet: MoveBaseFleet,
+        self, server: RosbridgeServer, client: ClientConnection, other: ClientConnection, fleet: MoveBaseFleet
     ) -> None:
         plant(server, "first-lost")
         for topic in (GOAL, CANCEL):

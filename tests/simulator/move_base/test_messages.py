@@ -6,9 +6,7 @@ import cbor2
 import pytest
 from websockets.asyncio.client import ClientConnection
 
-from tests.support.move_base_client import (
-    STATUS,
-)
+from tests.support.move_base_client import STATUS
 from tests.support.nav2_client import Json, listen, until
 
 STAMP = {"secs": int, "nsecs": int}

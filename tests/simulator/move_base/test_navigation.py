@@ -56,13 +56,7 @@ def test_a_goal_that_is_cancelled_before_it_begins_never_drives() -> None:
 
 
 @pytest.mark.parametrize(
-    "turn",
-    [
-        FLAT | {"w": 0.0},
-        FLAT | {"x": 1.0, "w": 0.0},
-        FLAT | {"z": math.inf},
-        FLAT | {"w": math.nan},
-    ],
+    "turn", [FLAT | {"w": 0.0}, FLAT | {"x": 1.0, "w": 0.0}, FLAT | {"z": math.inf}, FLAT | {"w": math.nan}]
 )
 def test_an_invalid_quaternion_is_aborted(turn: Json) -> None:
     it, navigation = world()

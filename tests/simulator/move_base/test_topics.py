@@ -6,14 +6,7 @@ from websockets.asyncio.client import ClientConnection
 
 from fleet_tui.simulator.move_base.fleet import MoveBaseFleet
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.support.move_base_client import (
-    RESULT,
-    STATUS,
-    give,
-    listed,
-    pose,
-    result,
-)
+from tests.support.move_base_client import RESULT, STATUS, give, listed, pose, result
 from tests.support.nav2_client import Json, listen, settle
 
 FAR, NEAR = pose(35.0, 20.0), pose(8.0, 0.0)

@@ -9,13 +9,7 @@ from fleet_tui.simulator.nav2.fleet import Nav2Fleet
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.ros.goals import EXECUTING
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.support.nav2_client import (
-    TO_POSE,
-    give,
-    pose,
-    result,
-    settle,
-)
+from tests.support.nav2_client import TO_POSE, give, pose, result, settle
 from tests.support.polling import HANGS
 
 

@@ -81,10 +81,7 @@ async def test_a_goal_is_cancelled_as_recorded(client: ClientConnection, other: 
     await client.send(far(sent("g10")))
     await until(other, lambda frame: statuses(frame) == [2])
     await client.send('{"op":"cancel_action_goal","id":"g10","action":"/robot_0/navigate_to_pose"}')
-    assert await result(client, "g10") == {
-        **recorded(ACTIONS, "action_result", "g2"),
-        "id": "g10",
-    }
+    assert await result(client, "g10") == {**recorded(ACTIONS, "action_result", "g2"), "id": "g10"}
     assert statuses(json.loads(await other.recv())) == [3]
     assert statuses(json.loads(await other.recv())) == [5]
 

@@ -19,10 +19,7 @@ def recorded(name: str, op: str, id_: str) -> Json:
     return next(frame for frame in lines if frame["op"] == op and frame.get("id", frame.get("topic")) == id_)
 
 
-@pytest.mark.parametrize(
-    "topic",
-    ["/robot_0/odom", "/robot_0/amcl_pose", "/robot_0/battery_state"],
-)
+@pytest.mark.parametrize("topic", ["/robot_0/odom", "/robot_0/amcl_pose", "/robot_0/battery_state"])
 async def test_telemetry_has_the_recorded_shape(client: ClientConnection, topic: str) -> None:
     wanted = recorded("ros2-topics.jsonl.gz", "publish", topic)
     await listen(client, topic)

@@ -12,13 +12,7 @@ from fleet_tui.model.geometry import Pose
 from fleet_tui.simulator.nav2.navigation import DOCK, THROUGH, TO_POSE, WAYPOINTS, SimNavigation
 from fleet_tui.simulator.nav2.world import Nav2World
 from fleet_tui.simulator.navigating.poses import stamped
-from fleet_tui.simulator.ros.goals import (
-    ABORTED,
-    CANCELED,
-    EXECUTING,
-    SUCCEEDED,
-    ServedGoal,
-)
+from fleet_tui.simulator.ros.goals import ABORTED, CANCELED, EXECUTING, SUCCEEDED, ServedGoal
 
 NO_ROBOTS = bytes(16)
 FAR, NEAR = (35.0, 20.0), (8.0, 0.0)

@@ -10,13 +10,7 @@ from fleet_tui.simulator.nav2.fleet import Nav2Fleet
 from fleet_tui.simulator.navigating.poses import flat
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.support.nav2_client import (
-    TO_POSE,
-    listen,
-    settle,
-    statuses,
-    until,
-)
+from tests.support.nav2_client import TO_POSE, listen, settle, statuses, until
 
 STATUS = f"{TO_POSE}/_action/status"
 LATCHED = {"durability": "transient_local", "reliability": "reliable", "history": "keep_last", "depth": 1}

@@ -13,7 +13,7 @@ def test_one_floor_has_one_map_and_several_have_each_theirs_and_robots_say_where
     robots = {f"robot_{n}": robot(n) for n in range(2)}
     surveys = Surveys(robots, lambda _: [])
     assert [one.name for one in map_topics(build_building(1), robots, surveys, 1.0, ROS1)] == [
-        *("/map", "/map_metadata"),
+        *("/map", "/map_metadata")
     ]
     several = list(map_topics(build_building(2), robots, surveys, 1.0, ROS2))
     names = ["/floor_0/map", "/floor_1/map", "/robot_0/floor", "/robot_1/floor"]

@@ -2,9 +2,7 @@
 
 import pytest
 
-from fleet_tui.simulator.move_base.navigation import (
-    REACHED,
-)
+from fleet_tui.simulator.move_base.navigation import REACHED
 from fleet_tui.simulator.ros.actionlib import (
     ACTIVE,
     KEPT,

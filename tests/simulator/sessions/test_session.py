@@ -6,11 +6,7 @@ import json
 from websockets.asyncio.client import ClientConnection, connect
 
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.support.bridge_client import (
-    frames_before_an_answer,
-    read,
-    subscribe,
-)
+from tests.support.bridge_client import frames_before_an_answer, read, subscribe
 
 POSE, POSE_TYPE = "/robot_0/pose", "geometry_msgs/PoseStamped"
 GRAPH, GRAPH_TYPE = "/robot_0/floor_0/graph", "OH_ressources/Graph"

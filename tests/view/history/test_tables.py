@@ -76,10 +76,7 @@ def test_a_battery_has_its_levels_its_curve_and_what_it_leads_to() -> None:
 def test_alarms_are_lines_of_time_the_longest_first() -> None:
     short, long, last = alarm(10.0, 20.0), alarm(110.0, 390.0, "robot_1"), alarm(300.0, None, count=3)
     table = alarms_table(ShownShift(TIME, alarms=[short, long, last]), [], clock, is_ascii=False)
-    assert lines(table) == [
-        "stuck robot_1 once      4 min   ·███",
-        "stuck robot_0 4 times   110 s   █··█",
-    ]
+    assert lines(table) == ["stuck robot_1 once      4 min   ·███", "stuck robot_0 4 times   110 s   █··█"]
     assert moment_of(table.rows[1].key) == ("robot_0", 300.0)
     only = alarms_table(ShownShift(TIME, alarms=[short, long]), ["robot_0"], clock, is_ascii=True)
     assert lines(only) == ["stuck robot_0 once      10 s    #..."]

@@ -3,14 +3,7 @@
 import pytest
 
 from fleet_tui.model import events
-from fleet_tui.model.commands import (
-    CancelOrder,
-    ClearOrders,
-    Command,
-    PauseRobot,
-    ResumeRobot,
-    Stage,
-)
+from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, PauseRobot, ResumeRobot, Stage
 from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.text.sanitize import cell_width
 from fleet_tui.view.lines.commands import command_text, message_line

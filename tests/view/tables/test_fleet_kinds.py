@@ -7,18 +7,7 @@ from fleet_tui.model.events import CargoReported
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.kind import ORDER_TO, PAUSE, Kind
 from fleet_tui.view.tables.fleet import CARGO, fleet_table
-from tests.support.fleets import (
-    R0,
-    T0,
-    battery,
-    commanded,
-    place_order,
-    pose,
-    queue,
-    reduced,
-    text_of,
-    tick,
-)
+from tests.support.fleets import R0, T0, battery, commanded, place_order, pose, queue, reduced, text_of, tick
 from tests.support.kinds import BARE, FULL, LATE, received
 
 

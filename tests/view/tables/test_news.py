@@ -59,10 +59,7 @@ def test_a_pause_gives_way_to_what_is_more_urgent(cells: int, said: str) -> None
 def test_the_cause_of_a_failure_stays_and_its_order_goes() -> None:
     for text, said in (
         ("refused: no path (order A -> B)", "refused: no path"),
-        (
-            "failed: no progress (error 105) (order A -> B)",
-            "failed: no progress (error 105)",
-        ),
+        ("failed: no progress (error 105) (order A -> B)", "failed: no progress (error 105)"),
         ("lost: order A -> B (order 4: before it started)", "lost: order"),
         ("refused: order A -> B", "refused: order"),
     ):

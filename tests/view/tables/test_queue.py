@@ -95,9 +95,7 @@ def test_an_order_is_written_by_its_stops_whatever_they_are() -> None:
     reported = events.QueueReported(R0, T0, OrderQueue(3, "3f2a-77-0-000000", orders))
     found = lines(reduced(state(), reported))
     for line, way in zip(
-        found,
-        ("Base -> Consumidores -> 3", "-> Consumidores", "-> (1.2, -3.4)", "to a point"),
-        strict=True,
+        found, ("Base -> Consumidores -> 3", "-> Consumidores", "-> (1.2, -3.4)", "to a point"), strict=True
     ):
         assert way in line and "-000000 " in line and "paused" in line and "unknown" not in line
 

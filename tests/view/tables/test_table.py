@@ -16,13 +16,7 @@ from fleet_tui.view.tables.diagnostics.robot_log import lines_of, robot_log_tabl
 from fleet_tui.view.tables.diagnostics.topics import topic_table
 from fleet_tui.view.tables.table import Run, Table, column, cut, width_of
 from tests.support.diagnostics import NOW, counter, seen
-from tests.support.fleets import (
-    LINK,
-    T0,
-    fleet,
-    link_lost,
-    reduced,
-)
+from tests.support.fleets import LINK, T0, fleet, link_lost, reduced
 from tests.support.hostile_text import TEXTS, WIDTHS, harmless
 
 

@@ -49,10 +49,7 @@ def find_set_up(found: Discovery, listed: Listed, vocabulary: Vocabulary) -> Non
 
 
 def _there(
-    site: Discovery,
-    names: Mapping[str, str],
-    endings: Endings,
-    known: Mapping[str, tuple[str, str]],
+    site: Discovery, names: Mapping[str, str], endings: Endings, known: Mapping[str, tuple[str, str]]
 ) -> Iterator[tuple[str, str]]:
     """Yield key and template of the first usual name that any robot has, if its kind knows the key."""
     for key, usual in endings.items():

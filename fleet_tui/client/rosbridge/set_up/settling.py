@@ -85,9 +85,6 @@ def _failed(poses: Sequence[Pose | None], command: Settle, detail: Message) -> M
         detail
         if number == 1
         else Message(
-            "call {number} of at most {calls}: {detail}",
-            number=number,
-            calls=command.calls,
-            detail=detail,
+            "call {number} of at most {calls}: {detail}", number=number, calls=command.calls, detail=detail
         )
     )

@@ -77,10 +77,7 @@ def set_up_seen(state: FleetState, robot: Robot, record: CommandRecord, command:
             return Step(
                 Stage.CONFIRMED,
                 state.now,
-                Message(
-                    "reported within {difference_text}",
-                    difference_text=difference_text(pose, wanted),
-                ),
+                Message("reported within {difference_text}", difference_text=difference_text(pose, wanted)),
             )
         case SendGoal():
             return _goal_seen(state, robot, record, command)

@@ -55,11 +55,7 @@ def _facts(facts: OwnFacts) -> Iterator[tuple[str, str, StyleRole]]:
     yield N_("terminal"), sent + held, StyleRole.TEXT
     memory = tr("not available on this system")
     if facts.memory is not None and facts.peak is not None:
-        memory = tr(
-            "{size}, peak {peak}",
-            size=size_text(facts.memory),
-            peak=size_text(facts.peak),
-        )
+        memory = tr("{size}, peak {peak}", size=size_text(facts.memory), peak=size_text(facts.peak))
     yield N_("memory"), memory, StyleRole.TEXT
     yield (
         N_("process"),

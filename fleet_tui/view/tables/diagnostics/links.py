@@ -148,11 +148,7 @@ def _round_trip(counter: LinkCounter, now: float) -> Iterator[Run]:
             tr("{newest}: overdue", newest=newest) if late else newest,
             StyleRole.WARN if late else StyleRole.TEXT,
         )
-        spread = tr(
-            "{least} to {most}",
-            least=milliseconds(min(took)),
-            most=milliseconds(max(took)),
-        )
+        spread = tr("{least} to {most}", least=milliseconds(min(took)), most=milliseconds(max(took)))
         mean = milliseconds(sum(took) / len(took))
         jitter = tr(", jitter {milliseconds}", milliseconds=milliseconds(trips.jitter)) if took[1:] else ""
         yield (

@@ -51,9 +51,7 @@ def copied(raw: Raw) -> tuple[str, str]:
     if len(text) <= LONGEST_COPY:
         return text, tr("{count} characters", count=f"{len(text):,}")
     return text[:LONGEST_COPY], tr(
-        "the first {limit} of {total} characters",
-        limit=f"{LONGEST_COPY:,}",
-        total=f"{len(text):,}",
+        "the first {limit} of {total} characters", limit=f"{LONGEST_COPY:,}", total=f"{len(text):,}"
     )
 
 
@@ -95,9 +93,7 @@ def _published(raw: Raw) -> Any:
 def _plain(raw: Raw) -> Iterator[str]:
     if not raw.is_whole:
         yield tr(
-            "… {size}, only the first {kept} kept",
-            size=size_text(raw.size),
-            kept=size_text(len(raw.payload)),
+            "… {size}, only the first {kept} kept", size=size_text(raw.size), kept=size_text(len(raw.payload))
         )
     if raw.is_binary:
         for start in range(0, len(raw.payload), BINARY_LINE):

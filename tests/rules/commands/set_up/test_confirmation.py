@@ -13,19 +13,7 @@ from fleet_tui.model.kind import Kind
 from fleet_tui.model.navigation_events import LocalisationReported, ModeReported, OdometryReported
 from fleet_tui.model.set_up.commands import CancelGoal, Localise, SendGoal, SendGraph, SetMapping, SetPose
 from fleet_tui.rules.commands.set_up.confirmation import difference, is_near
-from tests.support.fleets import (
-    F0,
-    R0,
-    T0,
-    commanded,
-    fleet,
-    graph,
-    labels,
-    link_up,
-    of_kinds,
-    reduced,
-    tick,
-)
+from tests.support.fleets import F0, R0, T0, commanded, fleet, graph, labels, link_up, of_kinds, reduced, tick
 
 WANTED = Pose(3.0, 4.0, 1.0)
 SET = SetPose(R0, F0, WANTED)
@@ -69,10 +57,7 @@ def test_a_pose_stamped_before_it_does_not_confirm_however_late_it_comes() -> No
 
 def test_one_elsewhere_is_named() -> None:
     state = after(SET, at(Pose(0.0, 0.0, 1.0), T0 + 1), tick(T0 + 6))
-    assert stage(state) == (
-        Stage.NOT_CONFIRMED,
-        "accepted; the robot reported a pose 5.00 m and 0° from it",
-    )
+    assert stage(state) == (Stage.NOT_CONFIRMED, "accepted; the robot reported a pose 5.00 m and 0° from it")
 
 
 def test_another_floor_proves_nothing() -> None:
@@ -141,10 +126,7 @@ def test_a_graph_is_confirmed_when_the_robot_has_it_with_its_labels() -> None:
 
 def test_another_graph_is_counted_after_ten_seconds() -> None:
     state = after(GRAPH, tick(T0 + 10.1), before=(graph(1, 2, 3), labels({3: "Old"})))
-    assert stage(state) == (
-        Stage.NOT_CONFIRMED,
-        "accepted; the robot has 3 vertices, 2 edges, 1 label",
-    )
+    assert stage(state) == (Stage.NOT_CONFIRMED, "accepted; the robot has 3 vertices, 2 edges, 1 label")
     assert stage(after(GRAPH, tick(T0 + 10.1)))[1].endswith("no graph of floor_0 received")
 
 

@@ -175,11 +175,7 @@ near_middle = st.tuples(st.floats(9.7, 10.3), st.floats(4.8, 5.2), ROLES)
 def names(scene: Scene, camera: Camera) -> set[int]:
     """The ids of the vertices whose labels stand; a label is its vertex' id."""
     cells = backdrop(scene, camera, MapOptions())
-    texts = np.where(
-        np.isin(cells.roles, LABELS),
-        cells.codes,
-        ord(" "),
-    )
+    texts = np.where(np.isin(cells.roles, LABELS), cells.codes, ord(" "))
     return {int(word) - 10**9 for row in texts for word in "".join(map(chr, row)).split() if word.isdigit()}
 
 
