@@ -56,6 +56,11 @@ SCREENS = {
     "log": ("d", "4"),
     "health": ("d", "5"),
     "console": ("d", "6"),
+    "history": ("H",),
+    "robots of the history": ("H", "2"),
+    "batteries of the history": ("H", "3"),
+    "alarms of the history": ("H", "4"),
+    "places of the history": ("H", "5"),
     "filter": ("tab", "/"),
     "goal": ("G",),
     "pose": ("I",),
@@ -69,6 +74,7 @@ IN_TROUBLE = {
     "its page": ("i",),
     "refused": ("o", "B", "a", "s", "enter", "S", "t", "o", "enter"),
     "all": ("P",),
+    "all paused": ("P", "y"),
     "alarms wide": ("tab", "tab", "="),
 }
 OF_NAV2 = {

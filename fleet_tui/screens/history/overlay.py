@@ -19,7 +19,7 @@ from fleet_tui.log_file import state_folder
 from fleet_tui.rules.history.division import Division
 from fleet_tui.screens.tables.paged_overlay import PagedOverlay
 from fleet_tui.state.store import Store
-from fleet_tui.text.language import EMPTY, Message, tr
+from fleet_tui.text.language import EMPTY, Message, tr, translate
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.history.places import heat_rows, places_table
 from fleet_tui.view.history.tables import (
@@ -112,7 +112,7 @@ class HistoryPages:
         if floors:
             selection = replace(selection, floor=floors[controls.floor % len(floors)])
         rows = heat_rows(self._store.state, selection, places, self._options(), size, is_ascii)
-        empty = controls.shown.problem or tr("no robot was blocked in this time")
+        empty = translate(sanitize(controls.shown.problem)) or tr("no robot was blocked in this time")
         return places_table(rows if floors else [], selection, places, empty)
 
     def _moment(self, time: Division) -> Callable[[float], str]:
