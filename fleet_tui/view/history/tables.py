@@ -95,7 +95,7 @@ def alarms_table(shown: ShownShift, words: Sequence[str], clock: Clock, is_ascii
         return sum(_held(life, shown.time) for life in lives)
 
     ranked = sorted(_by_alarm(shown), key=total, reverse=True)
-    alarms = [lives for lives in ranked if _has(f"{lives[0].kind} {lives[0].source} {lives[0].text}", words)]
+    alarms = [lives for lives in ranked if _has(_searched(lives[0]), words)]
     columns: Sequence[Column[list[AlarmLife]]] = (
         Column("", name, (1, 2 * NAMES), "", stays=True),
         Column("", often, 9, ""),
@@ -142,6 +142,10 @@ def _empty(shown: ShownShift, words: Sequence[str], nothing: str) -> str:
         if words
         else tr("{nothing} in this time", nothing=nothing)
     )
+
+
+def _searched(life: AlarmLife) -> str:
+    return f"{translate(life.kind)} {life.source} {life.text}"
 
 
 def _has(text: str, words: Sequence[str]) -> bool:
