@@ -40,7 +40,11 @@ def programs_overlay(screen: "MainScreen", ask: Ask, open_menu: OpenMenu) -> "Pr
 class Programs(ReturningOverlay, TableOverlay):
     """One table: the programs, or the lines of a log with a field that filters them."""
 
-    BINDINGS: ClassVar[list[BindingType]] = [("escape,q", "close", "Close"), *overlay_bindings("programs")]
+    BINDINGS: ClassVar[list[BindingType]] = [
+        ("escape,q", "close", "Close"),
+        ("S", "sort", "Sort"),
+        *overlay_bindings("programs"),
+    ]
 
     def __init__(self, watch: ProgramWatch, requests: ProgramRequests) -> None:
         super().__init__("programs", self._choose, EVERY)
@@ -126,7 +130,7 @@ class Programs(ReturningOverlay, TableOverlay):
             self._show_log()
         else:
             rows = list(self._watch.rows.values())
-            self.rows.show(program_table(rows, since_text, now, self.rows.row_width))
+            self.rows.show(program_table(rows, since_text, now, self.rows.row_width, self.rows.arrangement))
         marked = self._watch.rows.get(str(self.rows.listing.cursor))
         self.note(translate(note(marked, now)) if marked is not None else "")
 

@@ -108,6 +108,18 @@ async def test_who_may_not_command_looks_but_starts_nothing(
         await it.shows("a line", PANE)
 
 
+async def test_they_are_sorted_by_the_columns_that_sort(server: RosbridgeServer, tmp_path: Path) -> None:
+    nav = with_status(tmp_path)
+    async with with_programs(server, [nav, replace(nav, name="map_10"), replace(nav, name="map_9")]) as it:
+        await it.press("J")
+        await it.shows("○ stopped", PANE)
+        await it.press("S")
+        await it.shows("by program", PANE)
+        assert it.pane(PANE).index("map_9") < it.pane(PANE).index("map_10")
+        await it.press("S", "S")
+        assert it.pane(PANE).index("map_10") < it.pane(PANE).index("map_9"), "as configured"
+
+
 async def test_a_console_that_is_disarmed_during_the_question_starts_nothing(
     server: RosbridgeServer, tmp_path: Path
 ) -> None:

@@ -66,6 +66,11 @@ class TableOverlay(Overlay):
         steps = {"up": -1, "down": 1, "pageup": -10, "pagedown": 10}
         return {key: partial(self.rows.move, step) for key, step in steps.items()}
 
+    def action_sort(self) -> None:
+        """Sort by the next column that sorts, at last in the table's own order again."""
+        self.rows.arrangement.next_column()
+        self.look()
+
     def on_resize(self) -> None:
         """Fill it at its new size."""
         if self.is_open:

@@ -49,7 +49,10 @@ def program_table(
         told = [translate(line) if isinstance(line, Message) else line for line in NONE_CONFIGURED]
         help_rows = [Row(n, ((line, StyleRole.TEXT),)) for n, line in enumerate(told)]
         return Table(((tr("Programs"), StyleRole.TITLE),), help_rows)
-    title = ((tr("Programs"), StyleRole.TITLE), (tr("  Enter: start, stop, restart, log"), StyleRole.DIM))
+    title = (
+        (tr("Programs"), StyleRole.TITLE),
+        (tr("  Enter: start, stop, restart, log; S: sort"), StyleRole.DIM),
+    )
     columns = _columns(clock, now)
     return table_of(title, columns, rows, lambda row: row.name, width, arrangement=arrangement)
 
