@@ -74,8 +74,8 @@ ODD = {
 def test_what_is_odd_is_amber_counted_and_found_by_its_key(told: str) -> None:
     state = ODD[told]
     rows = {row.key: row for row in fleet_table(state, R0, 100).rows}
-    assert told in text_of(rows[R0].runs) and rows[R0].runs[0] == ("●", StyleRole.WARN)
-    assert rows[CALM].runs[0] == ("●", StyleRole.GOOD)
+    assert told in text_of(rows[R0].runs) and rows[R0].runs[0] == ("● ", StyleRole.WARN)
+    assert rows[CALM].runs[0] == ("● ", StyleRole.GOOD)
     assert not state.alarms
     assert alarm_table(state, str, key="!").empty == "no alarms, 1 robot to look at (!)"
     assert "△ 0 alarms, 1 to look at  " in text_of(status_line(state, R0))
@@ -97,7 +97,7 @@ def test_what_is_odd_is_amber_counted_and_found_by_its_key(told: str) -> None:
     ],
 )
 def test_what_is_usual_or_ordered_here_is_all_clear(state: FleetState) -> None:
-    assert all(row.runs[0] == ("●", StyleRole.GOOD) for row in fleet_table(state, R0, 100).rows)
+    assert all(row.runs[0] == ("● ", StyleRole.GOOD) for row in fleet_table(state, R0, 100).rows)
     assert alarm_table(state, str, key="!").empty == "all clear"
     assert "look" not in text_of(status_line(state, R0))
     assert next_in_trouble(state, CALM) == "" and "next_trouble" in idle_hints(state)

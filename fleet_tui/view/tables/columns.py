@@ -124,9 +124,14 @@ class FittedColumns(Generic[Item]):
             cells = self.rest - 1 if fixed is None else fixed
             if one.ends_differ:
                 runs = [(cut_at_front(text, cells), role) for text, role in runs]
-            if one.is_right and (pad := cells - width_of(runs)) > 0:
-                made.append((" " * pad, StyleRole.TEXT))
-                cells -= pad
+            left = cells - width_of(runs)
+            if left >= 0 and len(runs) == 1:  # one run is painted sooner than three
+                ((text, role),) = runs
+                made.append((f"{' ' * left}{text} " if one.is_right else f"{text}{' ' * left} ", role))
+                continue
+            if one.is_right and left > 0:
+                made.append((" " * left, StyleRole.TEXT))
+                cells -= left
             made += (*cut(runs, cells), GAP)
         return tuple(made)
 

@@ -238,7 +238,7 @@ def test_a_robot_with_an_alarm_stands_first_and_the_others_keep_their_order() ->
     )
     rows = fleet_table(shelved, R0, 60).rows
     assert [row.key for row in rows] == names
-    assert rows[0].runs[0] == ("◇", StyleRole.WARN) and rows[1].runs[0] == ("●", StyleRole.GOOD)
+    assert rows[0].runs[0] == ("◇ ", StyleRole.WARN) and rows[1].runs[0] == ("● ", StyleRole.GOOD)
 
 
 def standing(seconds: float) -> FleetState:
@@ -383,7 +383,7 @@ def test_jumps_of_a_pose_are_no_movement() -> None:
     table = fleet_table(state, "robot_1", WIDTH)
     first = table.rows[0]
     assert first.key == R0 and "pose jumps" in text_of(first.runs) and "driving" not in text_of(first.runs)
-    assert first.runs[0] == ("●", StyleRole.WARN)
+    assert first.runs[0] == ("● ", StyleRole.WARN)
     assert "1 waiting, 1 driving" in text_of(table.title)
 
 
