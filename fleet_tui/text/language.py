@@ -64,7 +64,7 @@ def counted(one: str, many: str, count: int, /, **values: object) -> Message:
 
 def verbatim(text: object) -> Message:
     """Return what a robot, a person or a file says: it is never looked up."""
-    said = text_of(text)
+    said = text if isinstance(text, str) else text_of(text)
     made = str.__new__(Message, said)
     made.id, made.many, made.values = "{text}", "", {"text": said}
     return made
