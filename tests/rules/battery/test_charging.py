@@ -74,7 +74,7 @@ def test_a_robot_on_its_way_to_a_charger_needs_no_order() -> None:
 def test_the_row_of_a_charging_robot_is_calm() -> None:
     calm, troubled = (fleet_table(standing(x), R0, 60).rows[0].runs for x in (0.0, 5.0))
     assert "charging" in text_of(calm) and StyleRole.ALARM not in {role for _, role in calm}
-    assert "idle" in text_of(troubled) and (" 12 %", StyleRole.WARN) in troubled
+    assert "idle" in text_of(troubled) and (" 12 % ", StyleRole.WARN) in troubled
 
 
 def test_a_battery_is_low_below_the_limit_of_its_alarm() -> None:
