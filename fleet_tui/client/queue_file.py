@@ -9,7 +9,7 @@ import msgspec
 from fleet_tui.model.order import Stop
 from fleet_tui.storage.lock import LockFile, owner_of
 from fleet_tui.storage.whole_file import replacing
-from fleet_tui.text.language import Message, from_english, in_english
+from fleet_tui.text.language import Message, in_english
 
 FILE = "queue.json"
 LOCK = "queue.lock"
@@ -57,7 +57,7 @@ class QueueFile:
             return []
         try:
             with path.open("rb") as file:
-                return msgspec.json.decode(file.read(LARGEST), type=list[WaitingOrder], dec_hook=from_english)
+                return msgspec.json.decode(file.read(LARGEST), type=list[WaitingOrder])
         except FileNotFoundError:
             return []
         except (OSError, msgspec.MsgspecError) as problem:

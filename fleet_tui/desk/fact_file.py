@@ -14,7 +14,7 @@ from fleet_tui.storage.handles import open_shared
 from fleet_tui.storage.line_file import append_line
 from fleet_tui.storage.lock import lock
 from fleet_tui.storage.whole_file import replace_shared
-from fleet_tui.text.language import from_english, in_english
+from fleet_tui.text.language import in_english
 
 FILE = "facts.jsonl"
 LOCK = "facts.lock"
@@ -31,7 +31,7 @@ AT_ONCE = 4 * LARGEST
 SHORTEN_EVERY = 60.0
 """Seconds between two attempts to shorten the file: each reads all of it, and may fail."""
 
-_DECODER: msgspec.json.Decoder[Fact] = msgspec.json.Decoder(Fact, dec_hook=from_english)
+_DECODER: msgspec.json.Decoder[Fact] = msgspec.json.Decoder(Fact)
 
 
 class FactFile:

@@ -21,7 +21,7 @@ from fleet_tui.desk.facts import Name, ShelvedFor
 from fleet_tui.storage.handles import open_shared
 from fleet_tui.storage.lock import LockFile, owner_of
 from fleet_tui.storage.whole_file import replace_shared
-from fleet_tui.text.language import from_english, in_english
+from fleet_tui.text.language import in_english
 
 PREFIX = "console-"
 SUFFIX = ".json"
@@ -52,7 +52,7 @@ class Presence(Struct, frozen=True, omit_defaults=True):
     shelved: Annotated[tuple[tuple[Name, Name, ShelvedFor], ...], Meta(max_length=1000)] = ()
 
 
-_DECODER = msgspec.json.Decoder(Presence, dec_hook=from_english)
+_DECODER = msgspec.json.Decoder(Presence)
 
 
 def boot_id() -> str:

@@ -12,7 +12,7 @@ from fleet_tui.model.commands import NEXT, ORDER_ENDS, RESTARTED, Stage
 from fleet_tui.model.history.facts import Charge, LaterCause, LinkChange, Note, OrderChange, Span
 from fleet_tui.model.order_life import STARTED_OVER
 from fleet_tui.rules.history.observing import BEGUN, HOUR, QUEUED, Fact
-from fleet_tui.text.language import Message, with_values
+from fleet_tui.text.language import Message, verbatim, with_values
 
 LOG = logging.getLogger(__name__)
 ENDS = frozenset(stage.value for stage in ORDER_ENDS)
@@ -81,8 +81,9 @@ def _keep_message(database: sqlite3.Connection, fact: Fact | Note | AuditRecord)
             pass
         case _:
             return
-    if isinstance(text, Message) and text.values:
-        kept = json.dumps(with_values(text))
+    message = text if isinstance(text, Message) else verbatim(text)
+    if message.values:
+        kept = json.dumps(with_values(message))
         database.execute("INSERT OR REPLACE INTO messages VALUES (?, ?)", (str(text), kept))
 
 

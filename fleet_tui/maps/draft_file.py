@@ -15,7 +15,7 @@ from fleet_tui.model.graphs.document import DocumentFloor
 from fleet_tui.model.graphs.draft import Change, GraphDraft
 from fleet_tui.storage.handles import open_private
 from fleet_tui.storage.lock import lock
-from fleet_tui.text.language import from_english, in_english
+from fleet_tui.text.language import as_written, in_english
 
 SUFFIX = ".draft.jsonl"
 LARGEST = 256 * 2**20
@@ -71,7 +71,7 @@ class DraftFile:
             lines = self._read().splitlines(keepends=True)
         except FileNotFoundError:
             return None
-        decoder, draft = msgspec.json.Decoder(Line, dec_hook=from_english), None
+        decoder, draft = msgspec.json.Decoder(Line, dec_hook=as_written), None
         self._readable = 0
         for text in lines:
             if not text.endswith(b"\n"):

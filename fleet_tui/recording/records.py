@@ -22,7 +22,7 @@ from fleet_tui.model.geometry import MapFrame
 from fleet_tui.model.grid import OccupancyGrid, check_frame
 from fleet_tui.model.occupancy import OCCUPIED, build_grid
 from fleet_tui.recording.upgrade import upgrade_record, upgrade_state
-from fleet_tui.text.language import Message, from_english
+from fleet_tui.text.language import Message, as_written
 
 VERSION = 2
 """Version of the records below. It grows when an older program could not read them any more. Those of version
@@ -157,7 +157,7 @@ def _unpacked(kind: type, value: Any) -> Any:
     if issubclass(kind, Path):
         return Path(value)
     if kind is Message:
-        return from_english(kind, value)
+        return as_written(kind, value)
     packed = msgspec.convert(value, _Cells)
     frame = packed.frame
     check_frame(frame)

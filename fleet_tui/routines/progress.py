@@ -10,7 +10,7 @@ from fleet_tui.errors import RoutineError
 from fleet_tui.model.routines.lane import Gate, Lane, LanePhase
 from fleet_tui.routines.files import RoutineFile
 from fleet_tui.storage.whole_file import write_whole
-from fleet_tui.text.language import Message, from_english, in_english
+from fleet_tui.text.language import Message, as_written, in_english
 
 LARGEST = 10_000_000
 
@@ -45,7 +45,7 @@ def save_progress(path: Path, progress: RoutineProgress) -> None:
 def load_progress(path: Path) -> RoutineProgress | None:
     """Return the progress, None if there is none that can be read."""
     try:
-        return msgspec.json.decode(read_text(path, LARGEST), type=RoutineProgress, dec_hook=from_english)
+        return msgspec.json.decode(read_text(path, LARGEST), type=RoutineProgress, dec_hook=as_written)
     except (OSError, ValueError, msgspec.MsgspecError):
         return None
 

@@ -116,10 +116,10 @@ def message_with_values(kept: dict[str, Any]) -> Message:
     return Message(kept["id"], **values)
 
 
-def from_english(kind: type, value: object) -> Message:
-    """Return a message as it was written: msgspec's hook for what it does not know."""
+def as_written(kind: type, value: object) -> Message:
+    """Return a message of a file verbatim, since robots say words of the console, too. A hook of msgspec."""
     if kind is Message and isinstance(value, str):
-        return Message(value)
+        return verbatim(value)
     raise NotImplementedError(kind)
 
 

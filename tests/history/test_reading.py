@@ -170,6 +170,7 @@ def test_a_text_with_values_speaks_the_language_of_its_reader(database: sqlite3.
     write(database, LinkChange("rosbridge", 5.0, False, verbatim("no link")), "run1", "ana")
     write(database, OrderChange("r", "1", "A -> B", 6.0, "failed", reason=failed), "run1", "ana")
     write(database, OrderChange("s", "1", "A -> B", 6.0, "failed", reason=lost), "run1", "ana")
+    write(database, OrderChange("t", "1", "A -> B", 6.0, "failed", reason="paused"), "run1", "ana")
     found = History(database)
     (alarm,), (link,) = found.alarms(0.0, 9.0), found.links(0.0, 9.0)
     orders = {one.robot: one.reason for one in found.orders(0.0, 9.0)}
@@ -182,6 +183,7 @@ def test_a_text_with_values_speaks_the_language_of_its_reader(database: sqlite3.
         assert translate(Message(link.reason)) == "no link"  # another one's words
         assert translate(Message(orders["r"])) == "nicht gesendet: keine Verbindung"
         assert translate(Message(orders["s"])) == "2 Aufträge"
+        assert translate(Message(orders["t"])) == "paused"  # another one's word, too
     finally:
         use_language(ENGLISH)
 

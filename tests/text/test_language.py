@@ -11,6 +11,7 @@ from fleet_tui.errors import CommandError
 from fleet_tui.text.language import (
     EMPTY,
     Message,
+    as_written,
     counted,
     in_english,
     joined,
@@ -103,6 +104,14 @@ def test_it_is_written_in_english_and_what_is_no_text_not_at_all() -> None:
     assert msgspec.json.encode(record, enc_hook=in_english) == b'{"detail":"4 s ago"}'
     with pytest.raises(NotImplementedError):
         msgspec.json.encode(object(), enc_hook=in_english)
+
+
+def test_a_text_of_a_file_is_shown_as_it_was_written() -> None:
+    """A robot's word in a recording may be one of the console's."""
+    said = msgspec.json.decode(b'["no link"]', type=list[Message], dec_hook=as_written)
+    assert translate(said[0]) == said[0] == "no link"
+    with pytest.raises(NotImplementedError):
+        as_written(object, {})
 
 
 def test_a_path_within_a_text_is_sanitized_too() -> None:
