@@ -105,7 +105,9 @@ class FleetState(Struct, frozen=True, eq=False):
         link, last = self.links[robot.link], robot.last_received
         if last is None or (link.phase is not Phase.UP and last < link.since):
             return False
-        return self.now - last + link.late <= self.patience(robot) and not robot.is_gone
+        # As `patience`, which is not called: this is asked ten times of every robot in every tick.
+        patience = (robot.kind.offline_after or self.limits.offline_after) + self.behind
+        return self.now - last + link.late <= patience and not robot.is_gone
 
     def pause(self, robot: Robot) -> bool | None:
         """Tell whether it is paused, None if unknown: by the robot's own fresh report if it sends one, else

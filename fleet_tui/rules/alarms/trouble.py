@@ -33,10 +33,10 @@ AGING = (N_("pose"), N_("battery"), N_("queue"), N_("cargo"), N_("obstacle"), N_
 def waits(state: FleetState, robot: Robot) -> bool:
     """Tell whether a robot has stood with an order for so long, by poses that still hold, and says of no
     reason: that it drives or works."""
-    if says_driving(state, robot) or running_action(state, robot) is not None:
+    if stands_with_order(robot) < LONG_STILL or robot.orders.current is None:
         return False
-    stands = stands_with_order(robot) >= LONG_STILL and robot.orders.current is not None
-    return stands and state.is_fresh(robot, "pose")
+    is_busy = says_driving(state, robot) or running_action(state, robot) is not None
+    return not is_busy and state.is_fresh(robot, "pose")
 
 
 def may_need_person(state: FleetState, robot: Robot) -> bool:

@@ -51,8 +51,12 @@ class Column(Struct, Generic[Item], frozen=True):
 
     def runs(self, item: Item) -> Sequence[Run]:
         """Return what is shown of an item, uncut and safe."""
-        made = self.cell(item) if self.cell is not None else []
-        return [(sanitize(text), role) for text, role in ([made] if isinstance(made, tuple) else made)]
+        if self.cell is None:
+            return []
+        made = self.cell(item)
+        if isinstance(made, tuple):
+            return [(sanitize(made[0]), made[1])]
+        return [(sanitize(text), role) for text, role in made]
 
     def found(self, item: Item) -> str:
         """Return what a filter finds of an item."""
@@ -115,18 +119,18 @@ class FittedColumns(Generic[Item]):
     def runs(self, item: Item) -> tuple[Run, ...]:
         """Return the row of an item: what takes the rest at its end is not cut, for it can slide."""
         made: list[Run] = []
-        last = len(self._columns) - 1
-        for n, (one, fixed) in enumerate(zip(self._columns, self._cells, strict=True)):
+        last = self._columns[-1] if self._columns else None
+        for one, fixed in zip(self._columns, self._cells, strict=True):
             runs = one.runs(item)
-            if fixed is None and n == last:
+            if fixed is None and one is last:
                 made = [*_without_blanks(made, width_of(runs) - self.rest), *runs]
                 continue
             cells = self.rest - 1 if fixed is None else fixed
             if one.ends_differ:
                 runs = [(cut_at_front(text, cells), role) for text, role in runs]
-            left = cells - width_of(runs)
+            left = cells - (cell_width(runs[0][0]) if len(runs) == 1 else width_of(runs))
             if left >= 0 and len(runs) == 1:  # one run is painted sooner than three
-                ((text, role),) = runs
+                text, role = runs[0]
                 made.append((f"{' ' * left}{text} " if one.is_right else f"{text}{' ' * left} ", role))
                 continue
             if one.is_right and left > 0:

@@ -30,7 +30,7 @@ def distance_left(state: FleetState, robot: Robot, order: Order) -> float | None
 
 
 def left_text(state: FleetState, robot: Robot, order: Order) -> str:
-    """Return what is left of the current order: `12.5 m`, else the time as reported, else `3 nodes` of a
+    """Return what is left of the current order: `12 m`, else the time as reported, else `3 nodes` of a
     vehicle; empty if it is unknown."""
     metres = distance_left(state, robot, order)
     if metres is not None:
@@ -43,7 +43,7 @@ def left_text(state: FleetState, robot: Robot, order: Order) -> str:
 
 
 def progress_text(state: FleetState, robot: Robot, order: Order, has_left: bool = False) -> str:
-    """Return the progress of the current order: `12.5 m left, 31 s, stop 1 of 2, 2 recoveries`, of a vehicle
+    """Return the progress of the current order: `12 m left, 31 s, stop 1 of 2, 2 recoveries`, of a vehicle
     `3 nodes left`; empty without fresh data. `has_left`: a column tells what is left."""
     nodes, reported = _nodes_left(state, robot, order), _reported(state, robot, order)
     if nodes and not has_left:
@@ -69,7 +69,7 @@ def _stops_and_recoveries(reported: Progress, order: Order) -> Iterator[str]:
 
 
 def _figure(metres: float) -> str:
-    return f"{metres:.{int(metres < 100)}f}"
+    return f"{metres:.{int(metres < 10)}f}"
 
 
 def _reported(state: FleetState, robot: Robot, order: Order) -> Progress | None:

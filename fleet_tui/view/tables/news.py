@@ -33,6 +33,8 @@ def _old(state: FleetState, robot: Robot, unheard: Fact | None) -> Iterator[Run]
     """Yield the old values of a robot that is online, and a missing pose: they must not look live."""
     if is_missing(state, robot, "pose"):
         yield translate(missing_text(state, robot, "pose")), StyleRole.WARN
+    if not robot.is_undated and not state.has_old(robot, _NAMES):
+        return  # as nearly always, and asked ten times sooner
     for value, name in _NAMES.items():
         if state.is_old(robot, value):
             reading: Reading[object] = getattr(robot, value)

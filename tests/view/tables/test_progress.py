@@ -27,16 +27,17 @@ def text(progress: Progress, at: float = T0) -> str:
 
 
 def test_in_the_fleet_it_is_whole_or_shorter_never_cut() -> None:
-    state = driving(Progress("1", metres=12.5, seconds=31.0, stop=0, recoveries=2))
+    state = driving(Progress("1", metres=9.5, seconds=31.0, stop=0, recoveries=2))
     rows = {width: text_of(fleet_table(state, R0, width).rows[0].runs) for width in range(36, 140)}
-    assert all("12.5 m" in rows[width] and "stop 1 of 2, 2 recoveries" in rows[width] for width in (130, 139))
+    assert all("9.5 m" in rows[width] and "stop 1 of 2, 2 recoveries" in rows[width] for width in (130, 139))
     for width, row in rows.items():
         assert len(row.rstrip()) <= width, row
-        assert "m left" in row or "12.5" not in row or width >= WITH_LEFT, row
+        assert "m left" in row or "9.5" not in row or width >= WITH_LEFT, row
 
 
 def test_what_is_told_stands_there_in_its_order() -> None:
-    assert text(Progress("1", metres=12.5, seconds=31.0, recoveries=2)) == "12.5 m left, 31 s, 2 recoveries"
+    assert text(Progress("1", metres=9.5, seconds=31.0, recoveries=2)) == "9.5 m left, 31 s, 2 recoveries"
+    assert text(Progress("1", metres=12.4, recoveries=1)) == "12 m left, 1 recovery"
     assert text(Progress("1", metres=250.4, recoveries=1)) == "250 m left, 1 recovery"
 
 
