@@ -18,10 +18,12 @@ NO_MATCH = Message("nothing matches the filter: Esc clears it")
 
 
 class RowArrangement:
-    """The filter as `typed`, the value that sorts, empty for the table's own order, and the groups."""
+    """The filter as `typed`, the value that sorts, empty for the table's own order, and the groups.
+    `whole_numbers`: a filter does not find `robot_2` in `robot_22`."""
 
-    def __init__(self) -> None:
+    def __init__(self, whole_numbers: bool = False) -> None:
         self.typed = ""
+        self._whole_numbers = whole_numbers
         self.groups = RowGroups()
         self.is_typing = False
         """The operator is about to type a letter: what it will search in is made before, for that takes
@@ -57,7 +59,8 @@ class RowArrangement:
             items = list(items)
             for item in items:
                 searched(item)("")
-        found = [item for item in items if not terms or is_wanted(terms, searched(item))]
+        whole = self._whole_numbers
+        found = [item for item in items if not terms or is_wanted(terms, searched(item), whole)]
         if usual is not None:  # not before: of a large fleet a filter leaves few
             found.sort(key=usual)
         order = next((one.order for one in columns if one.name == self.column), None)
@@ -103,8 +106,9 @@ class RowArrangement:
 
     def notes(self, shown: int) -> list[Run]:
         """Return what the title says of it; `shown` rows are left."""
-        runs = [(f" /{self.typed}: {shown}", StyleRole.ACCENT)] if self.typed else []
-        return runs + [(tr(" by {column}", column=tr(self.column)), StyleRole.ACCENT)] * bool(self.column)
+        runs = [(f" /{sanitize(self.typed)}: {shown}", StyleRole.ACCENT)] if self.typed else []
+        sorts = self.column in self._sorted_by  # of several pages in one arrangement each has its own
+        return runs + [(tr(" by {column}", column=tr(self.column)), StyleRole.ACCENT)] * sorts
 
 
 def table_of(
@@ -115,16 +119,17 @@ def table_of(
     width: int = UNBOUNDED,
     *,
     arrangement: RowArrangement | None = None,
+    above: Iterable[Row] = (),
     below: Callable[[Item], Iterable[Row]] = lambda _: (),
     empty: str = "",
     has_head: bool = True,
 ) -> Table:
-    """Return items as rows of `width` cells with their keys, as arranged; `below` are the rows of an opened
-    one. `empty` is shown if there are no items."""
+    """Return items as rows of `width` cells with their keys, as arranged; `above` are rows before all,
+    `below` those of an opened one. `empty` is shown if there are no items."""
     arrangement = arrangement or RowArrangement()
     wanted = arrangement.arranged(items, columns)
     shown = FittedColumns(columns, wanted, width)
-    entries: list[Item | Row] = []
+    entries: list[Item | Row] = [*above]
     for item in wanted:
         entries.append(item)
         entries += below(item)
