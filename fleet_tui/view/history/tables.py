@@ -6,7 +6,6 @@ from operator import attrgetter
 
 from fleet_tui.model.history.lives import AlarmLife
 from fleet_tui.model.history.totals import ChargeTotal
-from fleet_tui.model.order import natural
 from fleet_tui.rules.battery.forecast import BatteryForecast
 from fleet_tui.rules.battery.history import BatterySample
 from fleet_tui.rules.history.division import Division
@@ -45,19 +44,13 @@ def events_table(shown: ShownShift, clock: Clock, arrangement: RowArrangement | 
             stays=True,
         ),
         Column(N_("event"), told, None, ""),
-        Column(N_("robot"), text=attrgetter("subject"), order=lambda event: natural(event.subject)),
-        Column(N_("kind"), text=lambda event: event.kind.value, order=lambda event: event.kind.value),
+        Column(N_("robot"), text=attrgetter("subject"), sorts=True),
+        Column(N_("kind"), text=lambda event: event.kind.value, sorts=True),
     )
     title = _title(tr("Events"), f"{len(shown.events):,}")
     empty = _empty(shown, tr("nothing happened in this time"))
     return table_of(
-        title,
-        columns,
-        shown.events[::-1],
-        lambda event: event,
-        arrangement=arrangement,
-        empty=empty,
-        has_head=False,
+        title, columns, shown.events[::-1], lambda event: event, arrangement=arrangement, empty=empty
     )
 
 
@@ -105,9 +98,7 @@ def batteries_table(
     return table_of(title, columns, names, str, arrangement=arrangement, empty=empty)
 
 
-_NAME: Column[str] = Column(
-    N_("robot"), lambda name: (name, StyleRole.TEXT), (1, NAMES), "", order=natural, stays=True
-)
+_NAME: Column[str] = Column(N_("robot"), lambda name: name, (1, NAMES), "", sorts=True, stays=True)
 LEVEL_CELLS = 12
 
 
@@ -133,7 +124,7 @@ def alarms_table(
         Column(N_("count"), often, 9, "", order=lambda lives: -_count(lives), is_apart=True),
         Column("", lambda lives: (age(total(lives)), StyleRole.DIM), 7, "", is_apart=True),
         Column("", lambda lives: _held_cells(lives, shown.time, is_ascii), None, _times(shown.time, clock)),
-        Column(N_("robot"), text=lambda lives: lives[0].source, order=lambda lives: natural(lives[0].source)),
+        Column(N_("robot"), text=lambda lives: lives[0].source, sorts=True),
         Column(N_("text"), text=lambda lives: lives[0].text),
     )
     title, empty = _title(tr("Alarms"), str(len(alarms))), _empty(shown, tr("no alarm in this time"))

@@ -3,7 +3,6 @@
 from collections.abc import Callable, Sequence
 from operator import itemgetter
 
-from fleet_tui.model.order import natural
 from fleet_tui.model.programs.program import ProgramRow, ProgramState
 from fleet_tui.text.language import N_, Message, counted, tr, translate
 from fleet_tui.text.sanitize import sanitize
@@ -55,10 +54,6 @@ def program_table(
     return table_of(title, columns, rows, lambda row: row.name, width, arrangement=arrangement)
 
 
-def _name(row: ProgramRow) -> object:
-    return natural(row.name)
-
-
 def _columns(clock: Callable[[float], str], now: float) -> Sequence[Column[ProgramRow]]:
     def state(row: ProgramRow) -> Run:
         sign, role = _LOOKS[row.state(now)]
@@ -77,7 +72,7 @@ def _columns(clock: Callable[[float], str], now: float) -> Sequence[Column[Progr
         return translate(note(row, now)), StyleRole.ALARM if is_failed else StyleRole.TEXT
 
     return (
-        Column(N_("program"), lambda row: (row.name, StyleRole.TEXT), (7, 16), order=_name, stays=True),
+        Column(N_("program"), lambda row: row.name, (7, 16), sorts=True, stays=True),
         Column(N_("host"), lambda row: (row.host or translate(HERE), StyleRole.DIM), (4, 12)),
         Column(N_("state"), state, 10, order=lambda row: row.state(now).value),
         Column(N_("since"), since, 11),
@@ -107,7 +102,7 @@ def note(row: ProgramRow, now: float) -> Message:
     return Message("{was} {age} ago; {why}", was=was, age=age(now - known.at), why=why)
 
 
-_LINE: Sequence[Column[tuple[int, str]]] = (Column(N_("line"), lambda line: (line[1], StyleRole.TEXT)),)
+_LINE: Sequence[Column[tuple[int, str]]] = (Column(N_("line"), lambda line: line[1], None, ""),)
 
 
 def log_table(
@@ -119,4 +114,4 @@ def log_table(
     if note:
         title.append((f"  {translate(sanitize(note))}", StyleRole.WARN))
     empty = translate(sanitize(note)) or tr("no line yet")
-    return table_of(title, _LINE, lines, itemgetter(0), arrangement=arrangement, empty=empty, has_head=False)
+    return table_of(title, _LINE, lines, itemgetter(0), arrangement=arrangement, empty=empty)

@@ -4,7 +4,6 @@ from collections.abc import Callable, Hashable, Sequence
 from operator import attrgetter, itemgetter
 from typing import NamedTuple
 
-from fleet_tui.model.order import natural
 from fleet_tui.model.routines.lane import Lane
 from fleet_tui.model.routines.row import RoutineRow
 from fleet_tui.text.language import N_, Message, tr, translate
@@ -106,7 +105,7 @@ def _columns(names: int, clock: Callable[[float], str]) -> Sequence[Column[Shown
             name,
             names,
             text=lambda one: f"{one.routine.name} {one.lane.robot if one.lane else ''}",
-            order=lambda one: natural(one.routine.name),
+            sorts=True,
             stays=True,
         ),
         Column(N_("state"), state, 11),
@@ -127,7 +126,7 @@ def _instruction(one: ShownLane) -> Run:
     return "; ".join(sanitize(part) for part in (by, times) if part), StyleRole.DIM
 
 
-_LINE: Sequence[Column[tuple[int, str]]] = (Column(N_("line"), lambda line: (line[1], StyleRole.TEXT)),)
+_LINE: Sequence[Column[tuple[int, str]]] = (Column(N_("line"), lambda line: line[1], None, ""),)
 
 
 def text_table(
@@ -137,4 +136,4 @@ def text_table(
     beside = tr("  Esc: back") if note is None else note
     runs = (translate(sanitize(title)), StyleRole.TITLE), (beside, StyleRole.DIM)
     entries = tuple(enumerate(lines))
-    return table_of(runs, _LINE, entries, itemgetter(0), arrangement=arrangement, has_head=False)
+    return table_of(runs, _LINE, entries, itemgetter(0), arrangement=arrangement)

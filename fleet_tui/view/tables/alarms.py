@@ -7,7 +7,6 @@ from msgspec.structs import replace
 
 from fleet_tui.model.alarm import Alarm, AlarmStage, Key, Priority
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.order import natural
 from fleet_tui.rules.alarms.classes import action_of
 from fleet_tui.rules.alarms.floods import is_group
 from fleet_tui.rules.alarms.trouble import to_look_at, urgency
@@ -180,11 +179,7 @@ def _suppressed(state: FleetState) -> int:
 
 def _columns(clock: Callable[[float], str]) -> tuple[Column[Alarm], ...]:
     return (
-        Column(
-            N_("robot"),
-            text=lambda alarm: alarm.condition.source,
-            order=lambda alarm: natural(alarm.condition.source),
-        ),
+        Column(N_("robot"), text=lambda alarm: alarm.condition.source, sorts=True),
         Column(
             N_("alarm"), text=lambda alarm: translate(alarm.text), order=lambda alarm: alarm.condition.kind
         ),

@@ -51,7 +51,7 @@ class RowArrangement:
         """Return the wanted items in order; equal ones keep theirs, or that of `usual`. With the names of
         items and the time (monotonic), what a filter finds in them may be old by up to two seconds: texts of
         500 robots take longer than a key may."""
-        self._sorted_by = [one.name for one in columns if one.order is not None]
+        self._sorted_by = [one.name for one in columns if one.key is not None]
         self.names = [one.name for one in columns if one.name]
         terms = filter_terms(self.typed, self.names)
         searched = self._searched(columns, named, at)
@@ -63,7 +63,7 @@ class RowArrangement:
         found = [item for item in items if not terms or is_wanted(terms, searched(item), whole)]
         if usual is not None:  # not before: of a large fleet a filter leaves few
             found.sort(key=usual)
-        order = next((one.order for one in columns if one.name == self.column), None)
+        order = next((one.key for one in columns if one.name == self.column), None)
         return sorted(found, key=order) if order is not None else found
 
     def _searched(
@@ -71,7 +71,7 @@ class RowArrangement:
     ) -> Callable[[Item], Callable[[str], str]]:
         """Return what returns the texts of an item for a filter, as `is_wanted` asks for them."""
         by_name = {one.name: one.text or one.found for one in columns}
-        common = [by_name[one.name] for one in columns if one.name and not one.is_apart]
+        common = [by_name[one.name] for one in columns if one.name and not one.is_apart | one.is_right]
 
         def of(item: Item) -> Callable[[str], str]:
             known = self._texts_of(named(item), at) if named is not None else {}
@@ -122,7 +122,6 @@ def table_of(
     above: Iterable[Row] = (),
     below: Callable[[Item], Iterable[Row]] = lambda _: (),
     empty: str = "",
-    has_head: bool = True,
 ) -> Table:
     """Return items as rows of `width` cells with their keys, as arranged; `above` are rows before all,
     `below` those of an opened one. `empty` is shown if there are no items."""
@@ -137,7 +136,7 @@ def table_of(
         (*title, *arrangement.notes(len(wanted))),
         rows_of(shown, entries, key),
         arrangement.no_match if items else empty,
-        head=shown.head if has_head else (),
+        head=shown.head,
         unfiltered=len(items),
         stays=shown.stays,
     )

@@ -6,6 +6,7 @@ from typing import Any, Generic, TypeVar
 
 from msgspec import Struct
 
+from fleet_tui.model.order import natural
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import cell_width, fit, sanitize
 from fleet_tui.view.roles import StyleRole
@@ -28,17 +29,19 @@ class Column(Struct, Generic[Item], frozen=True):
     """A value of the items of a table. Its `name` is its head, finds it in a filter and tells the order.
     `cell` returns what is shown, None for a value that is only found. `cells` is its width, or the least and
     the most of one that depends on what it holds, None for the rest of the row. It is shown in panes of
-    `from_cells` on. `text` returns what a filter finds, by default what is shown, and `order` what sorts. One
-    that `is_apart` is found only by its name. One that `stays` never slides away. `may_go`: it is left out
-    where the others would have too few cells, and needs none. `ends_differ`: texts are cut at their front."""
+    `from_cells` on. `text` returns what a filter finds, by default what is shown. `order` returns what sorts;
+    one that `sorts` does so by its text. One that `is_apart` is found only by its name, as is a figure, which
+    `is_right`. One that `stays` never slides away. `may_go`: it is left out where the others would have too
+    few cells, and needs none. `ends_differ`: texts are cut at their front."""
 
     name: str
-    cell: Callable[[Item], Run | list[Run]] | None = None
+    cell: Callable[[Item], str | Run | list[Run]] | None = None
     cells: int | tuple[int, int] | None = None
     head: str | None = None
     from_cells: int = 0
     text: Callable[[Item], str] | None = None
     order: Callable[[Item], Any] | None = None
+    sorts: bool = False
     is_apart: bool = False
     is_right: bool = False
     stays: bool = False
@@ -52,11 +55,18 @@ class Column(Struct, Generic[Item], frozen=True):
     def runs(self, item: Item) -> Sequence[Run]:
         """Return what is shown of an item, uncut and safe."""
         made = self.cell(item) if self.cell is not None else []
+        if isinstance(made, str):
+            made = made, StyleRole.TEXT
         return [(sanitize(text), role) for text, role in ([made] if isinstance(made, tuple) else made)]
 
     def found(self, item: Item) -> str:
         """Return what a filter finds of an item."""
         return self.text(item) if self.text is not None else _text(self.runs(item))
+
+    @property
+    def key(self) -> Callable[[Item], Any] | None:
+        """Return what returns the key that sorts an item, None if it does not sort."""
+        return self.order or ((lambda item: natural(self.found(item))) if self.sorts else None)
 
 
 class FittedColumns(Generic[Item]):
@@ -99,7 +109,9 @@ class FittedColumns(Generic[Item]):
 
     @property
     def head(self) -> tuple[Run, ...]:
-        """Return the names, each above its column."""
+        """Return the names, each above its column, empty if no column has one."""
+        if not any(one.title for one in self._columns):
+            return ()
         last = len(self._columns) - 1
         names = (
             one.title

@@ -72,7 +72,7 @@ _FACTS: Sequence[Column[Fact]] = (
     Column("", lambda fact: (tr(fact[0]), StyleRole.DIM), (9, 12)),
     Column("", lambda fact: fact[1:], None),
 )
-_LOG: Sequence[Column[str]] = (Column(N_("line"), lambda line: (line, _role(line)), None),)
+_LOG: Sequence[Column[str]] = (Column(N_("line"), lambda line: (line, _role(line)), None, ""),)
 
 
 def console_table(
@@ -90,7 +90,6 @@ def console_table(
         width,
         arrangement=arrangement,
         above=[*above, Row("log", ((f"── {note}", StyleRole.DIM),))],
-        has_head=False,
     )
 
 

@@ -56,7 +56,6 @@ def health_table(
         arrangement=arrangement,
         below=lambda entry: _values(entry) if _key(entry) in opened else (),
         empty=tr("nothing received on /diagnostics (subscribed while this screen is open)"),
-        has_head=False,
     )
 
 
@@ -78,16 +77,9 @@ def _columns(now: float) -> Sequence[Column[Entry]]:
 
     return (
         Column(N_("level"), level, (9, 12), ""),
-        Column(
-            N_("name"),
-            lambda entry: (entry[1].name, StyleRole.TEXT),
-            (6, 30),
-            "",
-            order=lambda entry: natural(entry[1].name),
-            stays=True,
-        ),
-        Column(N_("age"), came, 16, "", order=lambda entry: entry[1].at, is_apart=True, is_right=True),
-        Column(N_("message"), lambda entry: (entry[1].message, StyleRole.TEXT), None, ""),
+        Column(N_("name"), lambda entry: entry[1].name, (6, 30), "", sorts=True, stays=True),
+        Column(N_("age"), came, 16, "", order=lambda entry: entry[1].at, is_right=True),
+        Column(N_("message"), lambda entry: entry[1].message, None, ""),
         Column(N_("hardware"), text=lambda entry: entry[1].hardware),
     )
 

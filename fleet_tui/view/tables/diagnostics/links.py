@@ -58,8 +58,8 @@ class ShownField(NamedTuple):
 
 
 _COLUMNS: Sequence[Column[ShownField]] = (
-    Column(N_("name"), lambda field: field.head, (10, 16), stays=True),
-    Column(N_("value"), lambda field: list(field.runs), None),
+    Column(N_("name"), lambda field: field.head, (10, 16), "", stays=True),
+    Column(N_("value"), lambda field: list(field.runs), None, ""),
     Column(N_("link"), text=lambda field: field.link.name, is_apart=True),
 )
 
@@ -74,16 +74,7 @@ def link_table(
         for name, runs in (("", ((link.url, StyleRole.TEXT),)), *_fields(link, counter, now))
     ]
     title, empty = ((tr("Link"), StyleRole.TITLE),), tr("console starting")
-    return table_of(
-        title,
-        _COLUMNS,
-        fields,
-        attrgetter("key"),
-        width,
-        arrangement=arrangement,
-        empty=empty,
-        has_head=False,
-    )
+    return table_of(title, _COLUMNS, fields, attrgetter("key"), width, arrangement=arrangement, empty=empty)
 
 
 def _fields(link: LinkState, counter: LinkCounter, now: float) -> Iterator[tuple[str, tuple[Run, ...]]]:

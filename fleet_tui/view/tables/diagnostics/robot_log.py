@@ -5,7 +5,6 @@ from textwrap import wrap
 
 from fleet_tui.model.counters import snapshot
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.order import natural
 from fleet_tui.model.ros_logs import LogLine, Severity
 from fleet_tui.text.language import N_, Message, tr, translate
 from fleet_tui.text.sanitize import cell_width, sanitize
@@ -96,13 +95,7 @@ def robot_log_table(
             order=lambda line: -(line.severity or Severity.FATAL),
             is_apart=True,
         ),
-        Column(
-            N_("node"),
-            lambda line: (line.node, StyleRole.DIM),
-            (4, 24),
-            "",
-            order=lambda line: natural(line.node),
-        ),
+        Column(N_("node"), lambda line: (line.node, StyleRole.DIM), (4, 24), "", sorts=True),
         Column(N_("text"), _text, None, ""),
     )
     note = least.name if least is Severity.FATAL else least.name + tr(" and worse")
@@ -111,6 +104,4 @@ def robot_log_table(
     counts = tr(" /rosout  {count} of {lines} lines, {note}", count=len(found), lines=len(lines), note=note)
     title = (tr("Robot log"), StyleRole.TITLE), (counts, StyleRole.DIM), *down(links)
     empty = tr("no matching line") if lines else translate(NOTHING)
-    return table_of(
-        title, columns, found, id, width, arrangement=arrangement, below=whole, empty=empty, has_head=False
-    )
+    return table_of(title, columns, found, id, width, arrangement=arrangement, below=whole, empty=empty)

@@ -8,7 +8,6 @@ from typing import NamedTuple
 from fleet_tui.model.counters import TopicCounter
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import LinkState, Phase
-from fleet_tui.model.order import natural
 from fleet_tui.situation.links import is_late
 from fleet_tui.text.language import N_, tr, translate
 from fleet_tui.text.units import ago, size_text
@@ -130,21 +129,13 @@ def _columns(topics: Sequence[ShownTopic], now: float) -> Sequence[Column[ShownT
     is_bad = any(one.topic.errors for one in topics)
     return (
         Column(N_("state"), lambda one: one.state, (16, 20), tr("State")),
-        Column(
-            N_("age"),
-            last,
-            10,
-            tr("Last"),
-            order=lambda one: one.topic.at or -math.inf,
-            is_apart=True,
-            is_right=True,
-        ),
+        Column(N_("age"), last, 10, tr("Last"), order=lambda one: one.topic.at or -math.inf, is_right=True),
         Column(
             N_("topic"),
-            lambda one: (one.topic.topic, StyleRole.TEXT),
+            lambda one: one.topic.topic,
             (LEAST, UNBOUNDED),
             tr("Topic"),
-            order=lambda one: natural(one.topic.topic),
+            sorts=True,
             ends_differ=True,
         ),
         Column(
@@ -153,7 +144,6 @@ def _columns(topics: Sequence[ShownTopic], now: float) -> Sequence[Column[ShownT
             8,
             tr("Rate"),
             order=lambda one: -one.rates[0] if one.rates else 0.0,
-            is_apart=True,
             is_right=True,
         ),
         Column("", most, 8, tr("At most"), is_right=True),
@@ -164,7 +154,6 @@ def _columns(topics: Sequence[ShownTopic], now: float) -> Sequence[Column[ShownT
             9,
             tr("Bytes"),
             order=lambda one: -one.rates[1] if one.rates else 0.0,
-            is_apart=True,
             is_right=True,
             may_go=True,
         ),
