@@ -1,6 +1,6 @@
 """Columns: each is declared once, and its head, width, filter and order follow from that."""
 
-from collections.abc import Callable, Hashable, Sequence
+from collections.abc import Callable, Hashable, Iterator, Sequence
 from itertools import islice, takewhile
 from typing import Any, Generic, TypeVar
 
@@ -10,7 +10,7 @@ from fleet_tui.model.order import natural
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import cell_width, fit, sanitize
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.table import LateRows, Row, Run, column, cut, width_of
+from fleet_tui.view.tables.table import LateRows, Row, Run, column, cut, folded_runs, width_of
 
 Item = TypeVar("Item")
 
@@ -23,6 +23,8 @@ LEAST_REST = 10
 PARTS = 0.7
 """Share of a text from which the whole parts at its end are shown for it."""
 GAP: Run = " ", StyleRole.TEXT
+BELOW: Run = "  ", StyleRole.TEXT
+"""Before the rest of a long row, in the line below it."""
 
 
 class Column(Struct, Generic[Item], frozen=True):
@@ -147,6 +149,20 @@ class FittedColumns(Generic[Item]):
             made += (*cut(runs, cells), GAP)
         return tuple(made)
 
+    def lines(self, item: Item) -> Iterator[tuple[Run, ...]]:
+        """Yield the row of an item, and below it what its last column has no cells for: at its end is the
+        cause."""
+        runs = self.runs(item)
+        if width_of(runs) <= self._width or self._cells[-1] is not None:
+            yield runs
+            return
+        told = self._columns[-1].runs(item)
+        start = runs[: len(runs) - len(told)]
+        cells = self._width - width_of(start), self._width - width_of([BELOW])
+        first, *rest = folded_runs(told, *(max(LEAST_REST, one) for one in cells))
+        yield (*start, *first)
+        yield from ((BELOW, *line) for line in rest)
+
 
 def _cells(one: Column[Item], items: Sequence[Item]) -> int | None:
     if not isinstance(one.cells, tuple):
@@ -185,12 +201,32 @@ def _text(runs: Sequence[Run]) -> str:
 
 
 def rows_of(
-    columns: FittedColumns[Item], entries: Sequence[Item | Row], key: Callable[[Item], Hashable]
+    columns: FittedColumns[Item],
+    entries: Sequence[Item | Row],
+    key: Callable[[Item], Hashable],
+    whole: Callable[[Item], bool] | None = None,
 ) -> LateRows:
-    """Return a row for each item, made when it is shown; rows among them, as below an opened one, stay."""
+    """Return a row for each item, made when it is shown; rows among them, as below an opened one, stay. Those
+    that are `whole` go on in further lines, which have no key, where they would lose their end."""
+    if whole is not None:
+        entries = [row for one in entries for row in _lines(columns, one, key, whole)]
 
     def row(place: int) -> Row:
         entry = entries[place]
         return entry if isinstance(entry, Row) else Row(key(entry), columns.runs(entry))
 
     return LateRows([one.key if isinstance(one, Row) else key(one) for one in entries], row)
+
+
+def _lines(
+    columns: FittedColumns[Item],
+    entry: Item | Row,
+    key: Callable[[Item], Hashable],
+    whole: Callable[[Item], bool],
+) -> Iterator[Item | Row]:
+    if isinstance(entry, Row) or not whole(entry):
+        yield entry
+        return
+    first, *rest = columns.lines(entry)
+    yield Row(key(entry), first)
+    yield from (Row(None, line) for line in rest)

@@ -1,13 +1,12 @@
 """The log of the robots, newest last, filtered by level and text."""
 
 from collections.abc import Callable, Collection, Hashable, Iterable, Iterator, Sequence
-from textwrap import wrap
 
 from fleet_tui.model.counters import snapshot
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.ros_logs import LogLine, Severity
 from fleet_tui.text.language import N_, Message, tr, translate
-from fleet_tui.text.sanitize import cell_width, sanitize
+from fleet_tui.text.sanitize import cell_width, folded, sanitize
 from fleet_tui.text.units import ago
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.arrangement import RowArrangement, table_of
@@ -52,9 +51,8 @@ def _text(line: LogLine) -> Run:
 def _wrapped(line: LogLine, width: int) -> Iterator[str]:
     """Yield the whole message in lines of at most `width` cells."""
     for part in line.text.splitlines():
-        text = sanitize(part)
-        letters = width if cell_width(text) == len(text) else width // 2
-        yield from wrap(text, max(1, letters - INDENT), break_on_hyphens=False)
+        cells = max(2, width - INDENT)
+        yield from folded(sanitize(part), cells, cells)
 
 
 def robot_log_table(
