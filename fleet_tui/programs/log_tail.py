@@ -3,7 +3,7 @@
 import asyncio
 import re
 from collections import deque
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
 from fleet_tui.programs.process import exit_code, not_started, running
 from fleet_tui.programs.session_state import exit_text
@@ -52,11 +52,6 @@ class LogTail:
             self.lines.append((self._count, _text(line)))
         # Beyond what is kept of a line nothing of it is needed, however long it becomes.
         self._rest = rest[: 4 * LONGEST_LINE + 1]
-
-    def matching(self, wanted: str) -> Iterator[tuple[int, str]]:
-        """Return the lines with a text, in any case."""
-        sought = wanted.casefold()
-        return (line for line in self.lines if sought in line[1].casefold())
 
 
 def _text(line: bytes) -> str:

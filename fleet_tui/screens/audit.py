@@ -20,7 +20,7 @@ from fleet_tui.model.audit_record import AuditRecord
 from fleet_tui.screens.overlay import Overlay
 from fleet_tui.text.language import Message, counted, tr, translate
 from fleet_tui.view.tables.audit import audit_table, details
-from fleet_tui.widgets.field import Field, Keys
+from fleet_tui.widgets.field import Field, Keys, row_keys
 from fleet_tui.widgets.messages import RowChosen, RowPicked
 from fleet_tui.widgets.rows_pane import RowsPane
 
@@ -47,10 +47,7 @@ class AuditLog(Overlay):
             "escape": self.action_close,
             "enter": self._look_closer,
             "ctrl+s": self._export,
-            "up": partial(self.rows.move, -1),
-            "down": partial(self.rows.move, 1),
-            "pageup": partial(self.rows.move, -10),
-            "pagedown": partial(self.rows.move, 10),
+            **row_keys(self.rows.move),
         }
         yield Field(keys, id="audit-filter", placeholder=translate(HOW))
         yield self.rows

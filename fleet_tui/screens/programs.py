@@ -2,13 +2,10 @@
 
 import asyncio
 import time
-from collections.abc import Hashable
+from collections.abc import Callable, Hashable
 from typing import TYPE_CHECKING, ClassVar
 
-from textual import on
-from textual.app import ComposeResult
 from textual.binding import BindingType
-from textual.widgets import Input
 
 from fleet_tui.controllers.dispatch import Ask
 from fleet_tui.controllers.programs import ProgramRequests, since_text
@@ -19,10 +16,9 @@ from fleet_tui.programs.log_tail import LogTail
 from fleet_tui.programs.watch import ProgramWatch
 from fleet_tui.screens.overlay import ReturningOverlay
 from fleet_tui.screens.tables.paged_overlay import TableOverlay
-from fleet_tui.text.language import tr, translate
+from fleet_tui.text.language import Message, translate
 from fleet_tui.view.programs.table import log_table, note, program_table
 from fleet_tui.widgets.bindings import overlay_bindings
-from fleet_tui.widgets.field import Field, Keys
 
 if TYPE_CHECKING:
     from fleet_tui.screens.main import MainScreen
@@ -34,63 +30,57 @@ def programs_overlay(screen: "MainScreen", ask: Ask, open_menu: OpenMenu) -> "Pr
     """Return the overlay for the programs of a console's configuration."""
     watch = ProgramWatch(screen.settings.programs, state_folder() / "programs")
     requests = ProgramRequests(watch, screen.dispatch, screen.notices, screen.files, ask, open_menu)
-    return Programs(watch, requests)
+    return Programs(watch, requests, screen.notices.say)
 
 
 class Programs(ReturningOverlay, TableOverlay):
     """One table: the programs, or the lines of a log with a field that filters them."""
 
-    BINDINGS: ClassVar[list[BindingType]] = [
-        ("escape,q", "close", "Close"),
-        ("S", "sort", "Sort"),
-        *overlay_bindings("programs"),
-    ]
+    BINDINGS: ClassVar[list[BindingType]] = [("escape,q", "back", "Back"), *overlay_bindings("programs")]
 
-    def __init__(self, watch: ProgramWatch, requests: ProgramRequests) -> None:
-        super().__init__("programs", self._choose, EVERY)
+    def __init__(
+        self, watch: ProgramWatch, requests: ProgramRequests, say: Callable[[Message], object]
+    ) -> None:
+        super().__init__("programs", self._choose, EVERY, say)
         self._watch = watch
         self.requests = requests
         self._log_of = ""
         self._tail = LogTail()
         self._following: asyncio.Task[None] | None = None
-        self._cursor: Hashable = None
         self._end: Hashable = None
-
-    def compose(self) -> ComposeResult:
-        """Compose a field that appears above a log, the rows, and the whole note of the marked one."""
-        keys: Keys = {**self.keys_of_rows(), "escape": self.leave_log}
-        text = tr("type to filter the log; Esc: back to the programs")
-        yield Field(keys, id="programs-filter", placeholder=text)
-        yield self.rows
-        yield self._note
 
     def show(self) -> None:
         """Open on the list."""
         self._end_log()
+        self._watch.open()
         self.begin(self.rows)
-        self.tick()
 
     def show_log(self, name: str) -> None:
         program, status = self._watch.programs[name], self._watch.rows[name].status
         has_systemd = status is None or status.has_systemd
-        self._cursor = name
         self._log_of = name
         self._end = None
         self._tail = LogTail()
         self._following = asyncio.ensure_future(
             self._tail.follow(log(program, self._watch.folder, has_systemd))
         )
-        field = self.query_one(Field)
-        with field.prevent(Input.Changed):
-            field.value = ""
-        field.display = True
-        self.open(field)
+        self.open(self.rows)
+        self.enter_page()
+        self.field.begin()
         self.look()
 
-    def leave_log(self) -> None:
-        """Return from a log to the list."""
+    def leave_field(self) -> None:
+        if self._log_of:
+            self.action_back()
+        else:
+            super().leave_field()
+
+    def action_back(self) -> None:
+        """Return from a log to the list, from the list to the console."""
+        if not self._log_of:
+            super().action_back()
+            return
         self._end_log()
-        self.screen.set_focus(self.rows)
         self.look()
 
     def _end_log(self) -> None:
@@ -98,9 +88,8 @@ class Programs(ReturningOverlay, TableOverlay):
         if self._following is not None:
             self._following.cancel()
             self._following = None
-            self.rows.listing.cursor = self._cursor
-        self._log_of = ""
-        self.query_one(Field).display = False
+            self._log_of = ""
+            self.leave_page()
 
     def _choose(self, key: Hashable) -> None:
         if isinstance(key, str):
@@ -118,11 +107,6 @@ class Programs(ReturningOverlay, TableOverlay):
     def tick_closed(self) -> bool:
         return True
 
-    @on(Input.Changed, "#programs-filter")
-    def _typed(self, event: Input.Changed) -> None:
-        event.stop()
-        self.look()
-
     def look(self) -> None:
         """Show the current rows."""
         now = time.monotonic()
@@ -135,15 +119,13 @@ class Programs(ReturningOverlay, TableOverlay):
         self.note(translate(note(marked, now)) if marked is not None else "")
 
     def _show_log(self) -> None:
-        wanted = self.query_one(Field).value.strip()
-        found = list(self._tail.matching(wanted))
-        keys = [number for number, _ in found]
-        listing = self.rows.listing
+        table = log_table(self._log_of, tuple(self._tail.lines), self._tail.note, self.rows.arrangement)
+        keys, listing = table.keys, self.rows.listing
         # At the end of the log, the cursor stays at the end.
-        if keys and listing.cursor in (None, self._end, self._cursor):
+        if keys and listing.cursor in (None, self._end):
             listing.cursor = keys[-1]
         self._end = keys[-1] if keys else None
-        self.rows.show(log_table(self._log_of, found, len(self._tail.lines), wanted, self._tail.note))
+        self.rows.show(table)
 
     def on_unmount(self) -> None:
         """End every process that looks."""

@@ -1,10 +1,9 @@
 """The routines: a list with the progress of each robot, and a text about one of them."""
 
 import time
-from collections.abc import Hashable, Sequence
+from collections.abc import Callable, Hashable, Sequence
 from typing import TYPE_CHECKING, ClassVar
 
-from textual.app import ComposeResult
 from textual.binding import BindingType
 
 from fleet_tui.controllers.dispatch import Ask
@@ -38,7 +37,8 @@ def routines_overlay(
     place = RoutinePlace(settings.routines, state_folder() / "routines", settings.doubt)
     parts = screen.store, screen.dispatch, screen.notices
     led = LedRoutines(place, *parts, screen.files, in_background)
-    return Routines(place, RoutineRequests(place, *parts, led, ask, open_menu, in_background), led, ask)
+    requests = RoutineRequests(place, *parts, led, ask, open_menu, in_background)
+    return Routines(place, requests, led, ask, screen.notices.say)
 
 
 class Routines(ReturningOverlay, TableOverlay):
@@ -47,8 +47,15 @@ class Routines(ReturningOverlay, TableOverlay):
 
     BINDINGS: ClassVar[list[BindingType]] = [("escape,q", "back", "Back"), *overlay_bindings("routines")]
 
-    def __init__(self, place: RoutinePlace, requests: RoutineRequests, led: LedRoutines, ask: Ask) -> None:
-        super().__init__("routines", self._choose, EVERY)
+    def __init__(
+        self,
+        place: RoutinePlace,
+        requests: RoutineRequests,
+        led: LedRoutines,
+        ask: Ask,
+        say: Callable[[Message], object],
+    ) -> None:
+        super().__init__("routines", self._choose, EVERY, say)
         self._place = place
         self._requests = requests
         self._led = led
@@ -56,14 +63,9 @@ class Routines(ReturningOverlay, TableOverlay):
         self._text: tuple[Message, Sequence[str]] | None = None
         self._looked = 0.0
 
-    def compose(self) -> ComposeResult:
-        """Compose the rows, and the whole text of the marked one."""
-        yield self.rows
-        yield self._note
-
     def show(self) -> None:
         """Open on the list."""
-        self._text = None
+        self._end_text()
         self._looked = 0.0
         self._requests.tick()
         self.begin(self.rows)
@@ -72,13 +74,20 @@ class Routines(ReturningOverlay, TableOverlay):
         """Show a text in the place of the list."""
         self._text = title, lines
         self.open(self.rows)
+        self.enter_page()
         self.look()
+
+    def _end_text(self) -> None:
+        if self._text is not None:
+            self._text = None
+            self.leave_page()
 
     def action_back(self) -> None:
         """Return from a text to the list, from the list to the console."""
         if self._text is None:
-            self.action_close()
-        self._text = None
+            super().action_back()
+            return
+        self._end_text()
         self.look()
 
     def _choose(self, key: Hashable) -> None:
@@ -102,11 +111,10 @@ class Routines(ReturningOverlay, TableOverlay):
             self._looked = time.monotonic()
             self._requests.look()
         if self._text is not None:
-            table = text_table(*self._text)
+            table = text_table(*self._text, arrangement=self.rows.arrangement)
         else:
-            table = routine_table(
-                self._requests.rows, str(self._place.folder), since_text, self.rows.row_width
-            )
+            shown = self._requests.rows, str(self._place.folder), since_text
+            table = routine_table(*shown, self.rows.row_width, self.rows.arrangement)
         self.rows.show(table)
         cursor = self.rows.listing.cursor
         marked = next((row for row in table.rows if row.key == cursor), None)

@@ -1,5 +1,6 @@
 """The text that filters rows: `word`, `!word`, `key:value`, all of which must hold."""
 
+import re
 from collections.abc import Callable, Collection
 
 from msgspec import Struct
@@ -28,7 +29,14 @@ def filter_terms(typed: str, names: Collection[str]) -> tuple[Term, ...]:
     return tuple(terms)
 
 
-def is_wanted(terms: Collection[Term], text: Callable[[str], str]) -> bool:
+def is_wanted(terms: Collection[Term], text: Callable[[str], str], whole_numbers: bool = False) -> bool:
     """Tell whether all conditions hold for a row. `text` returns the folded text of a value by its name, for
-    an empty name those of all values in which a word is searched, a line each."""
-    return all((term.text in text(term.name)) is term.wanted for term in terms)
+    an empty name those of all values in which a word is searched, a line each. `whole_numbers`: `robot_2` is
+    not in `robot_22`."""
+    return all(_is_in(term.text, text(term.name), whole_numbers) is term.wanted for term in terms)
+
+
+def _is_in(sought: str, text: str, whole_numbers: bool) -> bool:
+    if whole_numbers and sought[-1].isdigit():
+        return re.search(re.escape(sought) + r"(?!\d)", text) is not None
+    return sought in text

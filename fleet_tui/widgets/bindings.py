@@ -27,7 +27,16 @@ def bindings(pane: Pane) -> list[BindingType]:
 def overlay_bindings(own: str) -> list[BindingType]:
     """Return the bindings of the console's keys that work in an overlay: its own by id closes it, and help
     opens in its place."""
-    actions = {own: "close", "help": "screen.key('help_anywhere')"}
+    return _rebound({own: "close", "help": "screen.key('help_anywhere')"})
+
+
+def table_bindings() -> list[BindingType]:
+    """Return the bindings of the console's keys of tables for an overlay over one, by the same ids."""
+    actions = {"filter_rows": "filter", "sort_rows": "sort", "mark_row": "mark", "copy_row": "copy"}
+    return _rebound(actions)
+
+
+def _rebound(actions: Mapping[str, str]) -> list[BindingType]:
     return [
         Binding(one.key, actions[one.id or ""], show=False, id=one.id)
         for one in bindings(Pane.CONSOLE)

@@ -1,6 +1,7 @@
 """A text field whose keys act at once."""
 
 from collections.abc import Callable, Mapping
+from functools import partial
 
 from textual import events
 from textual.geometry import Size
@@ -11,6 +12,12 @@ from fleet_tui.text.sanitize import sanitize
 from fleet_tui.transports.loop import end_turn, give_turn
 
 Keys = Mapping[str, Callable[[], object]]
+
+
+def row_keys(move: Callable[[int], object]) -> Keys:
+    """Return the keys with which a field that has the focus moves the cursor of rows."""
+    steps = {"up": -1, "down": 1, "pageup": -10, "pagedown": 10}
+    return {key: partial(move, step) for key, step in steps.items()}
 
 
 class Field(Input):

@@ -1,28 +1,22 @@
 """A field that filters the rows of an overlay: hidden while nothing is typed in it."""
 
-from functools import partial
+from collections.abc import Callable
 
 from textual.actions import SkipAction
 from textual.widgets import Input
 
-from fleet_tui.widgets.field import Field, Keys
+from fleet_tui.text.language import tr
+from fleet_tui.view.tables.arrangement import RowArrangement
+from fleet_tui.widgets.field import Field, row_keys
 from fleet_tui.widgets.rows_pane import RowsPane
 
 
 class FilterField(Field):
-    """Moves the cursor of the rows while one types; Enter keeps the text, Esc clears it."""
+    """Moves the cursor of the rows while one types; Enter keeps the text, `escape` runs on Esc."""
 
-    def __init__(self, rows: RowsPane, *, id: str, placeholder: str) -> None:
+    def __init__(self, rows: RowsPane, *, id: str, escape: Callable[[], object]) -> None:
         self._rows = rows
-        keys: Keys = {
-            "enter": self.leave,
-            "escape": partial(self.leave, clear=True),
-            "up": partial(rows.move, -1),
-            "down": partial(rows.move, 1),
-            "pageup": partial(rows.move, -10),
-            "pagedown": partial(rows.move, 10),
-        }
-        super().__init__(keys, id=id, placeholder=placeholder)
+        super().__init__({**row_keys(rows.move), "enter": self.leave, "escape": escape}, id=id)
 
     def on_mount(self) -> None:
         """Hide it until it is used."""
@@ -32,6 +26,7 @@ class FilterField(Field):
         """Take the focus. Raises SkipAction if it has it: the key is a letter of the text."""
         if self.screen.focused is self:
             raise SkipAction
+        self.placeholder = filter_help(self._rows.arrangement)
         self.display = True
         self.screen.set_focus(self)
 
@@ -47,3 +42,9 @@ class FilterField(Field):
             self.value = ""
         self.display = bool(self.value)
         self.screen.set_focus(self._rows)
+
+
+def filter_help(arrangement: RowArrangement) -> str:
+    """Return how to filter rows, shown while nothing is typed."""
+    keys = " ".join(f"{name}:" for name in arrangement.names)
+    return tr("words !word {keys} Enter keeps, Esc clears", keys=keys)

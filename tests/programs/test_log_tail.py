@@ -46,12 +46,6 @@ def test_colours_are_left_out_and_other_sequences_left_for_the_view() -> None:
     assert texts(tail) == ["red \x1b]52;c;eA==\x07"]
 
 
-def test_lines_are_found_in_any_case() -> None:
-    tail = LogTail()
-    tail.put(b"one Error\nfine\n")
-    assert [text for _, text in tail.matching("ERROR")] == ["one Error"]
-
-
 async def test_it_says_why_no_more_comes() -> None:
     tail = LogTail()
     await tail.follow(["sh", "-c", "printf 'a\nhalf'; exit 4"])

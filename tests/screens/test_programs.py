@@ -116,6 +116,12 @@ async def test_they_are_sorted_by_the_columns_that_sort(server: RosbridgeServer,
         await it.press("S")
         await it.shows("by program", PANE)
         assert it.pane(PANE).index("map_9") < it.pane(PANE).index("map_10")
+        await it.press("slash")
+        await it.type("map_1")
+        await it.press("enter")
+        await it.hides("map_9", PANE)
+        await it.press("escape")
+        await it.shows("map_9", PANE)
         await it.press("S", "S")
         assert it.pane(PANE).index("map_10") < it.pane(PANE).index("map_9"), "as configured"
 
@@ -177,12 +183,12 @@ async def test_a_log_follows_its_end_and_is_filtered_as_one_types(
         (tmp_path / "more").touch()
         await it.shows("▸more", PANE)
         await it.type("q")
-        await it.shows("3 of 5 lines, matching q", PANE)
+        await it.shows("5 lines /q: 3", PANE)
         assert "bad" not in it.pane(PANE)
         await it.press("escape")
         await it.shows("○ stopped", PANE)
         await it.press("enter", "2")
-        await it.shows("5 of 5 lines", PANE)
+        await it.shows(" 5 lines", PANE)
         assert it.app.main.query_one("#programs-filter", Input).value == ""
 
 

@@ -2,7 +2,7 @@
 
 import sqlite3
 import time
-from collections.abc import Callable, Hashable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Mapping
 from functools import partial
 from pathlib import Path
 from typing import Protocol
@@ -63,13 +63,13 @@ class HistoryView(Protocol):
     def look(self) -> None:
         """Show what was read."""
 
-    def open_filter(self) -> None:
+    def action_filter(self) -> None:
         """Focus the field."""
 
     def put_filter(self, text: str) -> None:
         """Filter by a text, with the focus on the rows."""
 
-    def back(self) -> None:
+    def action_back(self) -> None:
         """Clear the filter, or close."""
 
 
@@ -146,7 +146,7 @@ class HistoryControls:
 
     def filter(self) -> None:
         """Open the field for the filter."""
-        self._view.open_filter()
+        self._view.action_filter()
 
     def shift(self, step: int) -> None:
         """Show a later (1) or an earlier (-1) time, at last one that goes on."""
@@ -197,11 +197,7 @@ class HistoryControls:
             self.chart = ""
             self._view.look()
         else:
-            self._view.back()
-
-
-def words_of(typed: str) -> Sequence[str]:
-    return [word.casefold() for word in typed.split()]
+            self._view.action_back()
 
 
 def read_page(path: Path, name: str, time: Division, battery_low: float) -> ShownShift:

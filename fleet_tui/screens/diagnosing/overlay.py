@@ -1,21 +1,17 @@
 """The diagnostics screen: a live version of `doctor`. It uses no resources while it is closed."""
 
 from collections.abc import Hashable, Mapping
-from functools import partial
 from typing import ClassVar
 
-from textual import on
 from textual.binding import BindingType
-from textual.widgets import Input
 
 from fleet_tui.keys import DIAGNOSTICS, PAGES, Pane, by_id
 from fleet_tui.rules.why.reason import Reason
-from fleet_tui.screens.diagnosing.pages import BESIDE, FILTERED, Page, Pages, line_of
+from fleet_tui.screens.diagnosing.pages import BESIDE, Page, Pages, line_of
 from fleet_tui.screens.tables.paged_overlay import PagedOverlay
-from fleet_tui.terminal.clipboard import clipboard, copied_text
-from fleet_tui.terminal.display_driver import DisplayDriver
+from fleet_tui.terminal.budget import Budget
 from fleet_tui.terminal.lean_app import LeanApp
-from fleet_tui.text.language import EMPTY, Message, tr
+from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.view.lines.diagnostics import foot_runs, page_runs
 from fleet_tui.widgets.bindings import bindings, overlay_bindings
 
@@ -61,7 +57,8 @@ class DiagnosticsControls:
         self.notice = EMPTY
         self._came_from_topics = False
         self._view.rows.listing.cursor = self._cursors.get(self.current)
-        self._view.put_filter(self._pages.wanted.get(self.current, ""))
+        self._view.rows.arrangement = self._pages.arrangements[self.current]
+        self._view.put_filter(self._view.rows.arrangement.typed)
         self._view.look()
 
     def step_page(self, step: int) -> None:
@@ -69,29 +66,21 @@ class DiagnosticsControls:
         self.page((self.current - 1 + step) % len(Page) + 1)
 
     def filter(self) -> None:
-        """Open the field for the filter of the rows."""
-        self._view.open_filter()
+        """Open the field for the filter of the rows, on a page that has columns."""
+        if self.current is not Page.RAW:
+            self._view.action_filter()
 
     def freeze(self) -> None:
         """Freeze the message or the log, or resume."""
         nothing = Message("only the message and the robot log can be frozen")
-        self.notice = EMPTY if self._pages.freeze(self.current) else nothing
-        self._view.look()
+        self.say(EMPTY if self._pages.freeze(self.current) else nothing)
 
-    def copy(self, tries: int = 5) -> None:
-        """Copy to the clipboard of the local terminal, also over ssh. It may still be reading the last
-        picture."""
-        output = self._view.output
-        text, what = self._pages.copy(self.current, self._view.rows.listing.cursor, output.budget)
-        if not text:
-            self.notice = Message("nothing to copy")
-        elif output.call(clipboard(text)):
-            self.notice = copied_text(what)
-        elif tries > 1:
-            self._view.set_timer(0.1, partial(self.copy, tries - 1))
-            return
-        else:
-            self.notice = Message("not copied: the terminal is not reading")
+    def copy(self) -> None:
+        """Copy the message, or the rows."""
+        self._view.action_copy()
+
+    def say(self, text: Message) -> None:
+        self.notice = text
         self._view.look()
 
     def next_level(self) -> None:
@@ -112,7 +101,7 @@ class DiagnosticsControls:
         if self.current is Page.RAW and self._came_from_topics:
             self.page(Page.TOPICS)
         elif self.current is Page.LOG and self._pages.shows_troubled:
-            self._pages.wanted[Page.LOG] = ""
+            self._pages.arrangements[Page.LOG].typed = ""
             self.page(Page.LOG)
         else:
             self._view.action_close()
@@ -145,8 +134,7 @@ class Diagnostics(PagedOverlay):
         self._keys = keys
         self._controls = DiagnosticsControls(self, pages)
         self._end: Hashable = None
-        text = tr("filter text; Enter keeps it, Esc clears it")
-        super().__init__("diagnostics", self._controls.choose, EVERY, text)
+        super().__init__("diagnostics", self._controls.choose, EVERY, self._controls.say)
 
     def show(self, robot: str, cause: Reason | None = None) -> None:
         """Open on the last page, first the link's, for a `cause` on the one that shows more of it; `robot` is
@@ -156,17 +144,21 @@ class Diagnostics(PagedOverlay):
         self.begin(self.rows)
 
     @property
-    def output(self) -> DisplayDriver:
-        """The output to the terminal, for copying."""
+    def copied(self) -> tuple[str, str]:
+        """Return the message or the rows to copy, and their description."""
+        return self._pages.copied if self._controls.current is Page.RAW else super().copied
+
+    @property
+    def _budget(self) -> Budget:
         assert isinstance(self.app, LeanApp)
-        return self.app.output
+        return self.app.output.budget
 
     def look(self) -> None:
         """Show the current page."""
         page, listing = self._controls.current, self.rows.listing
         self.beside.display = self.screen.size.width >= TWO_PAGES
         self._pages.width = self.rows.row_width
-        table = self._pages.table(page, self.output.budget)
+        table = self._pages.table(page, self._budget)
         keys = table.keys
         # At the end of the log, the cursor stays at the end.
         if page is Page.LOG and keys and listing.cursor in (None, self._end):
@@ -185,22 +177,7 @@ class Diagnostics(PagedOverlay):
         if page is Page.RAW and isinstance(marked, tuple) and marked != self._pages.topic:
             self._pages.choose(*marked)
         self._pages.width = self.beside.row_width
-        self.beside.show(self._pages.table(page, self.output.budget))
+        self.beside.show(self._pages.table(page, self._budget))
 
     def action_key(self, id_: str) -> None:
         KEYS[id_].action(self._controls)
-
-    def put_filter(self, text: str) -> None:
-        """Filter the rows of the page, with the focus on the rows."""
-        self._field.put(text)
-
-    def open_filter(self) -> None:
-        """Focus the field of the filter, on a page that has one."""
-        if self._controls.current in FILTERED or self.screen.focused is self._field:
-            self._field.begin()
-
-    @on(Input.Changed, "#diagnostics-filter")
-    def _typed(self, event: Input.Changed) -> None:
-        event.stop()
-        self._pages.wanted[self._controls.current] = event.value.strip()
-        self.look()

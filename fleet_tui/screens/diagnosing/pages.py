@@ -15,6 +15,7 @@ from fleet_tui.rules.alarms.trouble import in_trouble
 from fleet_tui.terminal.budget import Budget, memory
 from fleet_tui.text.language import tr
 from fleet_tui.text.units import age
+from fleet_tui.view.tables.arrangement import RowArrangement
 from fleet_tui.view.tables.diagnostics.console import OwnFacts, console_table
 from fleet_tui.view.tables.diagnostics.health import health_table
 from fleet_tui.view.tables.diagnostics.links import Links, link_table
@@ -44,13 +45,12 @@ BESIDE = {
     Page.CONSOLE: Page.LINK,
 }
 """The page beside each one on a wide screen."""
-FILTERED = (Page.TOPICS, Page.LOG, Page.HEALTH, Page.CONSOLE)
 
 
 class Pages:
     """`topic` is the link and the topic of the messages, `robot` the selected robot, `least` the minimum
-    level of the robots' log, `wanted` the filter text of a page, `opened` and `opened_lines` the parts and
-    log lines that are shown whole, `width` the cells of a row."""
+    level of the robots' log, `arrangements` the filter and the order of each page, `opened` and
+    `opened_lines` the parts and log lines that are shown whole, `width` the cells of a row."""
 
     def __init__(
         self, state: Callable[[], FleetState], backend: Backend, clock: Callable[[float], str]
@@ -62,7 +62,8 @@ class Pages:
         self.robot = ""
         self.shows_bad = False
         self.least = Severity.INFO
-        self.wanted: dict[Page, str] = {}
+        # `robot_2` in the log is not `robot_22`.
+        self.arrangements = {page: RowArrangement(whole_numbers=page is Page.LOG) for page in Page}
         self._troubled = ""
         """The robot in trouble by which the log was filtered last."""
         self.opened: set[Hashable] = set()
@@ -83,7 +84,7 @@ class Pages:
     def worst_topic(self, robot: str) -> tuple[str, str] | None:
         """Return the topic of a robot that the page has first: one with a problem before the others."""
         own, state = self._topics(robot), self._state()
-        keys = topic_table(state, self.links(), "", state.now, robot).keys
+        keys = topic_table(state, self.links(), state.now, robot).keys
         return min(own, key=keys.index, default=None)
 
     def _topics(self, robot: str) -> list[tuple[str, str]]:
@@ -93,46 +94,48 @@ class Pages:
     def first_part(self, robot: str) -> Hashable:
         """Return the row of the worst part of a robot's own diagnostics, None without one."""
         name = re.compile(rf"(?<!\w){re.escape(robot)}(?!\w)")
-        keys = health_table(self.links(), (), "", self._state().now).keys
+        keys = health_table(self.links(), (), self._state().now).keys
         return next((key for key in keys if isinstance(key, tuple) and name.search(key[1])), None)
 
     def begin_log(self, robot: str) -> None:
         """Filter the log by a robot of several if that is in trouble, unless there is a filter."""
-        state = self._state()
-        if self.wanted.get(Page.LOG, "") in ("", self._troubled):
+        state, log = self._state(), self.arrangements[Page.LOG]
+        if log.typed in ("", self._troubled):
             self._troubled = robot if len(state.robots) > 1 and robot in in_trouble(state) else ""
-            self.wanted[Page.LOG] = self._troubled
+            log.typed = self._troubled
 
     @property
     def shows_troubled(self) -> bool:
         """Tell whether the log is filtered by a robot in trouble."""
-        return bool(self._troubled) and self.wanted.get(Page.LOG) == self._troubled
+        return bool(self._troubled) and self.arrangements[Page.LOG].typed == self._troubled
 
     def table(self, page: Page, budget: Budget) -> Table:
-        state, links, wanted = self._state(), self.links(), self.wanted.get(page, "")
+        state, links = self._state(), self.links()
+        arranged = self.width, self.arrangements[page]
         # In a recording the time may be earlier now, before the frozen message.
         self._frozen = {one: at for one, at in self._frozen.items() if at <= state.now}
         match page:
             case Page.LINK:
-                return link_table(links, state.now)
+                return link_table(links, state.now, *arranged)
             case Page.TOPICS:
-                return topic_table(state, links, wanted, state.now, self.robot, self.width)
+                return topic_table(state, links, state.now, self.robot, *arranged)
             case Page.RAW:
                 return self._raw_table(state)
             case Page.LOG:
                 if page not in self._frozen:
                     self._lines = lines_of(links)
-                return self._log_table(links, state, wanted)
+                return self._log_table(links, state)
             case Page.HEALTH:
-                return health_table(links, self.opened, wanted, state.now)
+                return health_table(links, self.opened, state.now, *arranged)
             case Page.CONSOLE:
-                return console_table(_own_facts(budget), snapshot(TAIL.lines), wanted)
+                return console_table(_own_facts(budget), snapshot(TAIL.lines), *arranged)
 
-    def _log_table(self, links: Links, state: FleetState, wanted: str) -> Table:
+    def _log_table(self, links: Links, state: FleetState) -> Table:
         # The id of a line that is gone may be that of another one.
         self.opened_lines &= {id(line) for line in self._lines} if self.opened_lines else set()
-        opened = self.opened_lines, self.width
-        return robot_log_table(self._lines, links, state, self._clock, self.least, wanted, *opened)
+        arranged = self.width, self.arrangements[Page.LOG]
+        opened = self.opened_lines
+        return robot_log_table(self._lines, links, state, self._clock, self.least, opened, *arranged)
 
     def _raw_table(self, state: FleetState) -> Table:
         if self.topic is None:
@@ -186,17 +189,13 @@ class Pages:
         at = self._frozen.get(page)
         return "" if at is None else tr("frozen {age} ago", age=age(self._state().now - at))
 
-    def copy(self, page: Page, key: Hashable, budget: Budget) -> tuple[str, str]:
-        """Return the text to copy, and its description; empty if there is nothing."""
-        if page is Page.RAW and self._raw[0] is not None and self.topic is not None:
-            text, size = copied(self._raw[0])
-            return text, tr("the message of {topic}, {size}", topic=self.topic[1], size=size)
-        table, key = self.table(page, budget), line_of(key) if page is Page.LOG else key
-        if key not in table.keys:
+    @property
+    def copied(self) -> tuple[str, str]:
+        """Return the message as a text to copy, and its description; empty if there is none."""
+        if self._raw[0] is None or self.topic is None:
             return "", ""
-        row = table.rows[table.keys.index(key)]
-        text = "".join(part for part, _ in row.runs).strip()
-        return text, tr("the row, {count} characters", count=len(text))
+        text, size = copied(self._raw[0])
+        return text, tr("the message of {topic}, {size}", topic=self.topic[1], size=size)
 
 
 def line_of(key: Hashable) -> Hashable:

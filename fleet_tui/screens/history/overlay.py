@@ -6,12 +6,10 @@ from functools import partial
 from typing import TYPE_CHECKING, ClassVar
 
 from msgspec.structs import replace
-from textual import on
 from textual.app import SuspendNotSupported
 from textual.binding import BindingType
-from textual.widgets import Input
 
-from fleet_tui.controllers.history.controls import HistoryControls, words_of
+from fleet_tui.controllers.history.controls import HistoryControls
 from fleet_tui.controllers.history.replaying import PastReplay, run_in_terminal
 from fleet_tui.controllers.navigation import Navigation
 from fleet_tui.keys import HISTORY, Pane, by_id
@@ -34,13 +32,12 @@ from fleet_tui.view.lines.history import foot_runs, page_runs
 from fleet_tui.view.map.drawing import Drawing
 from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.tables.arrangement import RowArrangement
 from fleet_tui.view.tables.table import Row, Table, column
 from fleet_tui.widgets.background import run_in_background
 from fleet_tui.widgets.bindings import bindings, overlay_bindings
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
     from fleet_tui.screens.main import MainScreen
     from fleet_tui.screens.rest import Rest
 
@@ -70,22 +67,22 @@ class HistoryPages:
         self._navigation = navigation
         self._options = options
 
-    def table(self, controls: HistoryControls, words: Sequence[str], size: tuple[int, int]) -> Table:
-        """Return the open page with rows that have every word, for `size` cells and lines."""
+    def table(self, controls: HistoryControls, arrangement: RowArrangement, size: tuple[int, int]) -> Table:
+        """Return the open page as arranged, for `size` cells and lines."""
         shown, is_ascii = controls.shown, self._options().drawing is Drawing.ASCII
         mark = self._mark(shown.time)
         match controls.name:
             case "Events":
-                return events_table(shown, words, self._moment(shown.time))
+                return events_table(shown, self._moment(shown.time), arrangement)
             case "Robots":
-                return robots_table(shown, words, mark, is_ascii)
+                return robots_table(shown, mark, is_ascii, arrangement)
             case "Batteries" if controls.chart:
                 return self._chart(controls, size)
             case "Batteries":
                 low = self._store.state.limits.battery_low
-                return batteries_table(shown, words, mark, is_ascii, low)
+                return batteries_table(shown, mark, is_ascii, low, arrangement)
             case "Alarms":
-                return alarms_table(shown, words, mark, is_ascii)
+                return alarms_table(shown, mark, is_ascii, arrangement)
         return self._places(controls, size, is_ascii)
 
     def _chart(self, controls: HistoryControls, size: tuple[int, int]) -> Table:
@@ -163,8 +160,7 @@ class HistoryOverlay(PagedOverlay):
         low = lambda: screen.store.state.limits.battery_low  # noqa: E731  # of the newest state
         in_background = partial(run_in_background, self)
         self._controls = HistoryControls(self, screen.files, replaying, in_background, low)
-        words = tr("words, !word; Enter keeps them, Esc clears them")
-        super().__init__("history", self._controls.choose, EVERY, words)
+        super().__init__("history", self._controls.choose, EVERY, self._answer)
 
     def show(self) -> None:
         """Open on the page that was open last."""
@@ -194,7 +190,7 @@ class HistoryOverlay(PagedOverlay):
         """Show what was read."""
         controls = self._controls
         size = self.rows.row_width, max(1, self.rows.size.height - 1)
-        self.rows.show(self._pages.table(controls, words_of(self._field.value), size))
+        self.rows.show(self._pages.table(controls, self.rows.arrangement, size))
         until = long_moment(controls.until) if controls.until else tr("now")
         self._tabs.show(*page_runs(controls.page_number, controls.span, until, self._tabs.size.width))
         self._foot.show(*foot_runs(self._keys, controls.name, controls.notice))
@@ -202,23 +198,6 @@ class HistoryOverlay(PagedOverlay):
     def action_key(self, id_: str) -> None:
         KEYS[id_].action(self._controls)
 
-    def open_filter(self) -> None:
-        """Focus the field of the filter."""
-        self._field.begin()
-
-    def put_filter(self, text: str) -> None:
-        """Filter by a text, with the focus on the rows."""
-        self._field.put(text)
-
-    def back(self) -> None:
-        """Clear the filter, or close."""
-        if self._field.value:
-            self._field.leave(clear=True)
-            self.look()
-        else:
-            self.action_close()
-
-    @on(Input.Changed, "#history-filter")
-    def _typed(self, event: Input.Changed) -> None:
-        event.stop()
+    def _answer(self, text: Message) -> None:
+        self._controls.notice = text
         self.look()

@@ -1,18 +1,24 @@
-"""Overlays over a table: filled while they are open, with a note on the marked row below."""
+"""Overlays over a table: filled while they are open, a filter above, a note on the marked row below."""
 
 from collections.abc import Callable, Hashable, Mapping
-from functools import partial
+from typing import ClassVar
 
 from rich.style import Style
+from textual import on
 from textual.app import ComposeResult
+from textual.binding import BindingType
 from textual.containers import Horizontal
 from textual.timer import Timer
 from textual.widget import Widget
-from textual.widgets import Static
+from textual.widgets import Input, Static
 
 from fleet_tui.screens.overlay import Overlay
+from fleet_tui.screens.tables.copy import copied_rows, copy
+from fleet_tui.text.language import Message
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.widgets.field import Keys
+from fleet_tui.view.tables.arrangement import RowArrangement
+from fleet_tui.view.tables.listing import Listing
+from fleet_tui.widgets.bindings import table_bindings
 from fleet_tui.widgets.filter_field import FilterField
 from fleet_tui.widgets.line_view import LineView
 from fleet_tui.widgets.rows_pane import RowsPane
@@ -23,15 +29,32 @@ class TableOverlay(Overlay):
     """Rows that `look` makes anew every so many seconds; `tick_closed` is called instead while it is closed,
     and tells whether that goes on."""
 
-    def __init__(self, id: str, choose: Callable[[Hashable], object] | None, every: float) -> None:
-        """`choose` is called with the key of the row that Enter means."""
+    BINDINGS: ClassVar[list[BindingType]] = table_bindings()
+
+    def __init__(
+        self,
+        id: str,
+        choose: Callable[[Hashable], object] | None,
+        every: float,
+        say: Callable[[Message], object],
+    ) -> None:
+        """`choose` is called with the key of the row that Enter means, `say` with the response to a key."""
         super().__init__(id=id)
         self.rows = RowsPane(id=f"{id}-rows", choose=choose)
+        self._list = self.rows.arrangement, self.rows.listing
+        self.field = FilterField(self.rows, id=f"{id}-filter", escape=self.leave_field)
         self.refreshing: Timer | None = None
         self._every = every
+        self._say = say
         self._note = Static(id=f"{id}-note", classes="row-note", markup=False)
         self._noted = ""
         self._views: tuple[RunsView, ...] = (self.rows,)
+
+    def compose(self) -> ComposeResult:
+        """Compose a field that appears on use, the rows, and the whole note of the marked one."""
+        yield self.field
+        yield self.rows
+        yield self._note
 
     def look(self) -> None:
         """Show the newest rows."""
@@ -61,15 +84,62 @@ class TableOverlay(Overlay):
             self._noted = text
             self._note.update(text)
 
-    def keys_of_rows(self) -> Keys:
-        """Return the keys with which a field that has the focus moves the cursor of the rows."""
-        steps = {"up": -1, "down": 1, "pageup": -10, "pagedown": 10}
-        return {key: partial(self.rows.move, step) for key, step in steps.items()}
+    @on(Input.Changed)
+    def _typed(self, event: Input.Changed) -> None:
+        event.stop()
+        self.filter(event.value)
+
+    def filter(self, typed: str) -> None:
+        self.rows.arrangement.typed = typed
+        self.look()
+
+    def put_filter(self, typed: str) -> None:
+        """Filter by a text, with the focus on the rows; it is shown by the next look."""
+        self.rows.arrangement.typed = typed
+        self.field.put(typed)
+
+    def enter_page(self) -> None:
+        """Show other rows in the place of the list, with a filter and a cursor of their own."""
+        self.rows.arrangement, self.rows.listing = RowArrangement(), Listing()
+        self.put_filter("")
+
+    def leave_page(self) -> None:
+        """Show the list again, as it was."""
+        self.rows.arrangement, self.rows.listing = self._list
+        self.put_filter(self.rows.arrangement.typed)
+
+    def leave_field(self) -> None:
+        """Clear the filter, with the focus on the rows."""
+        self.field.leave(clear=True)
+
+    @property
+    def copied(self) -> tuple[str, str]:
+        """Return the text to copy, and its description."""
+        return copied_rows(self.rows.listing)
+
+    def action_back(self) -> None:
+        """Clear the filter, or close."""
+        if self.rows.arrangement.typed:
+            self.put_filter("")
+            self.look()
+        else:
+            self.action_close()
+
+    def action_filter(self) -> None:
+        self.field.begin()
 
     def action_sort(self) -> None:
         """Sort by the next column that sorts, at last in the table's own order again."""
         self.rows.arrangement.next_column()
         self.look()
+
+    def action_mark(self) -> None:
+        """Mark the row to be copied with others, or no longer."""
+        self.rows.listing.toggle_mark()
+        self.look()
+
+    def action_copy(self) -> None:
+        copy(self, *self.copied, self._say)
 
     def on_resize(self) -> None:
         """Fill it at its new size."""
@@ -85,9 +155,10 @@ class TableOverlay(Overlay):
 class PagedOverlay(TableOverlay):
     """An overlay of several pages: their names, a filter, the rows of the open one, its keys."""
 
-    def __init__(self, id: str, choose: Callable[[Hashable], object], every: float, placeholder: str) -> None:
-        super().__init__(id, choose, every)
-        self._field = FilterField(self.rows, id=f"{id}-filter", placeholder=placeholder)
+    def __init__(
+        self, id: str, choose: Callable[[Hashable], object], every: float, say: Callable[[Message], object]
+    ) -> None:
+        super().__init__(id, choose, every, say)
         self.beside = RowsPane(id=f"{id}-beside")
         """Rows of a second page, for an overlay that has space for one."""
         self.beside.can_focus = self.beside.display = False
@@ -98,6 +169,6 @@ class PagedOverlay(TableOverlay):
     def compose(self) -> ComposeResult:
         """Compose the pages' names, a field that appears on use, the rows, the keys."""
         yield self._tabs
-        yield self._field
+        yield self.field
         yield Horizontal(self.rows, self.beside, classes="pages")
         yield self._foot

@@ -3,7 +3,6 @@
 import math
 import time
 from collections.abc import Callable, Sequence
-from functools import partial
 from time import monotonic
 from typing import TYPE_CHECKING
 
@@ -19,24 +18,19 @@ from fleet_tui.controllers.tables.marked import MarkedCommands
 from fleet_tui.model.commands import Command, CommandRecord
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.screens.overlay import Overlay
-from fleet_tui.terminal.clipboard import clipboard, copied_text
-from fleet_tui.terminal.lean_app import LeanApp
+from fleet_tui.screens.tables.copy import copied_rows, copy
 from fleet_tui.text.details import detail_text
 from fleet_tui.text.language import Message, tr, translate
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.commands import command_text, stage_text
 from fleet_tui.view.tables.groups import GroupHead
-from fleet_tui.widgets.field import Field
+from fleet_tui.widgets.field import Field, row_keys
+from fleet_tui.widgets.filter_field import filter_help
 from fleet_tui.widgets.pace import Pace
 from fleet_tui.widgets.rows_pane import RowsPane
 
 if TYPE_CHECKING:
     from fleet_tui.screens.main import MainScreen
-
-TRIES = 5
-AGAIN_AFTER = 0.1
-"""Copies while the terminal is still reading the last picture, and seconds between them."""
-
 
 PAUSE = 0.3
 ALL_EVERY = 0.5
@@ -125,18 +119,8 @@ class TableTools:
             table.listing.marks.clear()
         self._screen.tick()
 
-    def _copy(self, tries: int = TRIES) -> None:
-        """Copy the cursor's row to the clipboard of the local terminal, also over ssh."""
-        app, say, line = self._screen.app, self._screen.notices.say, self._table.listing.line
-        assert isinstance(app, LeanApp)
-        if not line:
-            say(Message("nothing to copy"))
-        elif app.output.call(clipboard(line)):
-            say(copied_text(line))
-        elif tries > 1:
-            self._screen.set_timer(AGAIN_AFTER, partial(self._copy, tries - 1))
-        else:
-            say(Message("not copied: the terminal is not reading"))
+    def _copy(self) -> None:
+        copy(self._screen, *copied_rows(self._table.listing), self._screen.notices.say)
 
 
 class FilterLine(Overlay):
@@ -149,11 +133,7 @@ class FilterLine(Overlay):
         self._pane: RowsPane | None = None
         self._typed_at = -math.inf
         self._pace = Pace(ALL_EVERY)
-        steps = {"up": -1, "down": 1, "pageup": -10, "pagedown": 10}
-        keys: dict[str, Callable[[], object]] = {
-            key: partial(self._move, step) for key, step in steps.items()
-        }
-        keys |= {"enter": self._keep, "escape": self.action_close}
+        keys = {**row_keys(self._move), "enter": self._keep, "escape": self.action_close}
         self._field = Field(keys, id="filter-text")
         self._title = Label(id="filter-name", markup=False)
 
@@ -165,8 +145,7 @@ class FilterLine(Overlay):
         """Open it for a table, with its filter."""
         self._pane = pane
         pane.arrangement.is_typing = True
-        keys = " ".join(f"{name}:" for name in pane.arrangement.names)
-        self._field.placeholder = tr("words !word {keys} Enter keeps, Esc clears", keys=keys)
+        self._field.placeholder = filter_help(pane.arrangement)
         self._title.update(f" {tr((pane.id or '').capitalize())} /")
         with self._field.prevent(Input.Changed):
             self._field.value = pane.arrangement.typed

@@ -2,20 +2,21 @@
 
 from collections.abc import Callable, Hashable, Sequence
 from itertools import groupby
+from operator import attrgetter
 
 from fleet_tui.model.history.lives import AlarmLife
 from fleet_tui.model.history.totals import ChargeTotal
 from fleet_tui.rules.battery.forecast import BatteryForecast
 from fleet_tui.rules.battery.history import BatterySample
 from fleet_tui.rules.history.division import Division
-from fleet_tui.text.language import tr, translate
+from fleet_tui.text.language import N_, tr, translate
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import age
 from fleet_tui.view.history.bars import bars_of, legend_of, level
-from fleet_tui.view.history.events import EventKind, PastEvent, matching
+from fleet_tui.view.history.events import EventKind, PastEvent
 from fleet_tui.view.history.shift import ShownShift
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.arrangement import table_of
+from fleet_tui.view.tables.arrangement import RowArrangement, table_of
 from fleet_tui.view.tables.columns import Column
 from fleet_tui.view.tables.table import Run, Table
 
@@ -26,26 +27,38 @@ NAMES = 18
 HELD = "█", "#"
 
 
-def events_table(shown: ShownShift, words: Sequence[str], clock: Clock) -> Table:
-    """Return the events with every word, the newest first; the key of a row is the event."""
+def events_table(shown: ShownShift, clock: Clock, arrangement: RowArrangement | None = None) -> Table:
+    """Return the events, the newest first; the key of a row is the event."""
 
     def told(event: PastEvent) -> Run:
         role = StyleRole.ALARM if event.is_trouble else StyleRole.TEXT
         return event.text, StyleRole.ACCENT if event.kind is EventKind.NOTE else role
 
-    events = matching(shown.events, words)[::-1]
     columns: Sequence[Column[PastEvent]] = (
-        Column("", lambda event: (f"{clock(event.told_at)} ", StyleRole.DIM), (1, 16), "", stays=True),
-        Column("", told, None, ""),
+        Column(
+            N_("time"),
+            lambda event: (f"{clock(event.told_at)} ", StyleRole.DIM),
+            (1, 16),
+            "",
+            is_apart=True,
+            stays=True,
+        ),
+        Column(N_("event"), told, None, ""),
+        Column(N_("robot"), text=attrgetter("subject"), sorts=True),
+        Column(N_("kind"), text=lambda event: event.kind.value, sorts=True),
     )
-    empty = _empty(shown, words, tr("nothing happened"))
-    title = _title(tr("Events"), f"{len(events):,}")
-    return table_of(title, columns, events, lambda event: event, empty=empty, has_head=False)
+    title = _title(tr("Events"), f"{len(shown.events):,}")
+    empty = _empty(shown, tr("nothing happened in this time"))
+    return table_of(
+        title, columns, shown.events[::-1], lambda event: event, arrangement=arrangement, empty=empty
+    )
 
 
-def robots_table(shown: ShownShift, words: Sequence[str], clock: Clock, is_ascii: bool) -> Table:
+def robots_table(
+    shown: ShownShift, clock: Clock, is_ascii: bool, arrangement: RowArrangement | None = None
+) -> Table:
     """Return a bar for each robot; the key of a row is its name."""
-    names = [name for name in shown.timeline if _has(name, words)]
+    names = list(shown.timeline)
     columns: Sequence[Column[str]] = (
         _NAME,
         Column(
@@ -54,11 +67,12 @@ def robots_table(shown: ShownShift, words: Sequence[str], clock: Clock, is_ascii
     )
     legend = legend_of((shown.timeline[name] for name in names), is_ascii)
     title = (*_title(tr("Robots"), str(len(names))), *legend)
-    return table_of(title, columns, names, str, empty=_empty(shown, words, tr("no robot was seen")))
+    empty = _empty(shown, tr("no robot was seen in this time"))
+    return table_of(title, columns, names, str, arrangement=arrangement, empty=empty)
 
 
 def batteries_table(
-    shown: ShownShift, words: Sequence[str], clock: Clock, is_ascii: bool, low: float
+    shown: ShownShift, clock: Clock, is_ascii: bool, low: float, arrangement: RowArrangement | None = None
 ) -> Table:
     """Return a small curve for each robot; the key of a row is its name; `low` is the limit in per cent."""
 
@@ -66,21 +80,31 @@ def batteries_table(
         lasts = f" {_lasts(shown.forecasts.get(name))}", StyleRole.DIM
         return [(_curve(shown.charges[name], shown.time.parts, is_ascii), StyleRole.ACCENT), lasts]
 
-    names = [name for name in shown.charges if _has(name, words)]
+    names = list(shown.charges)
     columns: Sequence[Column[str]] = (
         _NAME,
-        Column("", lambda name: _levels(shown.charges[name], low, is_ascii), LEVEL_CELLS - 1, ""),
+        Column(
+            N_("battery"),
+            lambda name: _levels(shown.charges[name], low, is_ascii),
+            LEVEL_CELLS - 1,
+            "",
+            order=lambda name: shown.charges[name][-1].last,
+            is_apart=True,
+        ),
         Column("", curve, None, _times(shown.time, clock)),
     )
     title = _title(tr("Batteries"), str(len(names)))
-    return table_of(title, columns, names, str, empty=_empty(shown, words, tr("no battery was seen")))
+    empty = _empty(shown, tr("no battery was seen in this time"))
+    return table_of(title, columns, names, str, arrangement=arrangement, empty=empty)
 
 
-_NAME: Column[str] = Column("", lambda name: (name, StyleRole.TEXT), (1, NAMES), "", stays=True)
+_NAME: Column[str] = Column(N_("robot"), lambda name: name, (1, NAMES), "", sorts=True, stays=True)
 LEVEL_CELLS = 12
 
 
-def alarms_table(shown: ShownShift, words: Sequence[str], clock: Clock, is_ascii: bool) -> Table:
+def alarms_table(
+    shown: ShownShift, clock: Clock, is_ascii: bool, arrangement: RowArrangement | None = None
+) -> Table:
     """Return a line of time for each alarm, those that held longest first; the key of a row is its last
     life."""
 
@@ -88,24 +112,27 @@ def alarms_table(shown: ShownShift, words: Sequence[str], clock: Clock, is_ascii
         return f"{translate(lives[0].kind)} {lives[0].source}", StyleRole.TEXT
 
     def often(lives: list[AlarmLife]) -> Run:
-        count = sum(life.count for life in lives)
+        count = _count(lives)
         return tr("once") if count == 1 else tr("{count} times", count=count), StyleRole.DIM
 
     def total(lives: list[AlarmLife]) -> float:
         return sum(_held(life, shown.time) for life in lives)
 
-    ranked = sorted(_by_alarm(shown), key=total, reverse=True)
-    alarms = [lives for lives in ranked if _has(_searched(lives[0]), words)]
+    alarms = sorted(_by_alarm(shown), key=total, reverse=True)
     columns: Sequence[Column[list[AlarmLife]]] = (
-        Column("", name, (1, 2 * NAMES), "", stays=True),
-        Column("", often, 9, ""),
-        Column("", lambda lives: (age(total(lives)), StyleRole.DIM), 7, ""),
+        Column(N_("alarm"), name, (1, 2 * NAMES), "", order=lambda lives: lives[0].kind, stays=True),
+        Column(N_("count"), often, 9, "", order=lambda lives: -_count(lives), is_apart=True),
+        Column("", lambda lives: (age(total(lives)), StyleRole.DIM), 7, "", is_apart=True),
         Column("", lambda lives: _held_cells(lives, shown.time, is_ascii), None, _times(shown.time, clock)),
+        Column(N_("robot"), text=lambda lives: lives[0].source, sorts=True),
+        Column(N_("text"), text=lambda lives: lives[0].text),
     )
-    title = _title(tr("Alarms"), str(len(alarms)))
-    return table_of(
-        title, columns, alarms, lambda lives: lives[-1], empty=_empty(shown, words, tr("no alarm"))
-    )
+    title, empty = _title(tr("Alarms"), str(len(alarms))), _empty(shown, tr("no alarm in this time"))
+    return table_of(title, columns, alarms, lambda lives: lives[-1], arrangement=arrangement, empty=empty)
+
+
+def _count(lives: Sequence[AlarmLife]) -> int:
+    return sum(life.count for life in lives)
 
 
 def curve_of(charges: Sequence[ChargeTotal], time: Division) -> list[BatterySample]:
@@ -134,23 +161,8 @@ def _title(name: str, count: str) -> tuple[Run, ...]:
     return ((name, StyleRole.TITLE), (f" {count}", StyleRole.DIM))
 
 
-def _empty(shown: ShownShift, words: Sequence[str], nothing: str) -> str:
-    if shown.problem:
-        return translate(sanitize(shown.problem))
-    return (
-        tr("{nothing} with: {words}", nothing=nothing, words=sanitize(" ".join(words)))
-        if words
-        else tr("{nothing} in this time", nothing=nothing)
-    )
-
-
-def _searched(life: AlarmLife) -> str:
-    return f"{translate(life.kind)} {life.source} {life.text}"
-
-
-def _has(text: str, words: Sequence[str]) -> bool:
-    line = text.casefold()
-    return all((word[1:] not in line) if word.startswith("!") else word in line for word in words)
+def _empty(shown: ShownShift, nothing: str) -> str:
+    return translate(sanitize(shown.problem)) or nothing
 
 
 def _times(time: Division, clock: Clock) -> str:

@@ -1,16 +1,16 @@
 """Rows of the programs, and the lines of a log."""
 
 from collections.abc import Callable, Sequence
+from operator import itemgetter
 
-from fleet_tui.model.order import natural
 from fleet_tui.model.programs.program import ProgramRow, ProgramState
-from fleet_tui.text.language import N_, Message, tr, translate
+from fleet_tui.text.language import N_, Message, counted, tr, translate
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import age
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.arrangement import RowArrangement, table_of
 from fleet_tui.view.tables.columns import UNBOUNDED, Column
-from fleet_tui.view.tables.table import LateRows, Row, Run, Table
+from fleet_tui.view.tables.table import Row, Run, Table
 
 HERE = Message("here")
 NONE_CONFIGURED = (
@@ -49,16 +49,9 @@ def program_table(
         told = [translate(line) if isinstance(line, Message) else line for line in NONE_CONFIGURED]
         help_rows = [Row(n, ((line, StyleRole.TEXT),)) for n, line in enumerate(told)]
         return Table(((tr("Programs"), StyleRole.TITLE),), help_rows)
-    title = (
-        (tr("Programs"), StyleRole.TITLE),
-        (tr("  Enter: start, stop, restart, log; S: sort"), StyleRole.DIM),
-    )
+    title = ((tr("Programs"), StyleRole.TITLE), (tr("  Enter: start, stop, restart, log"), StyleRole.DIM))
     columns = _columns(clock, now)
     return table_of(title, columns, rows, lambda row: row.name, width, arrangement=arrangement)
-
-
-def _name(row: ProgramRow) -> object:
-    return natural(row.name)
 
 
 def _columns(clock: Callable[[float], str], now: float) -> Sequence[Column[ProgramRow]]:
@@ -79,7 +72,7 @@ def _columns(clock: Callable[[float], str], now: float) -> Sequence[Column[Progr
         return translate(note(row, now)), StyleRole.ALARM if is_failed else StyleRole.TEXT
 
     return (
-        Column(N_("program"), lambda row: (row.name, StyleRole.TEXT), (7, 16), order=_name, stays=True),
+        Column(N_("program"), lambda row: row.name, (7, 16), sorts=True, stays=True),
         Column(N_("host"), lambda row: (row.host or translate(HERE), StyleRole.DIM), (4, 12)),
         Column(N_("state"), state, 10, order=lambda row: row.state(now).value),
         Column(N_("since"), since, 11),
@@ -109,18 +102,16 @@ def note(row: ProgramRow, now: float) -> Message:
     return Message("{was} {age} ago; {why}", was=was, age=age(now - known.at), why=why)
 
 
-def log_table(name: str, found: Sequence[tuple[int, str]], total: int, wanted: str, note: Message) -> Table:
+_LINE: Sequence[Column[tuple[int, str]]] = (Column(N_("line"), lambda line: line[1], None, ""),)
+
+
+def log_table(
+    name: str, lines: Sequence[tuple[int, str]], note: Message, arrangement: RowArrangement | None = None
+) -> Table:
     """Return the lines of a program's log, newest last; each has its number as key."""
-
-    def row(n: int) -> Row:
-        number, text = found[n]
-        return Row(number, ((sanitize(text), StyleRole.TEXT),))
-
-    counted = tr(" {count} of {total} lines", count=len(found), total=total) + (
-        tr(", matching {text}", text=sanitize(wanted)) if wanted else ""
-    )
-    title: list[Run] = [(tr("Log of {name}", name=sanitize(name)), StyleRole.TITLE), (counted, StyleRole.DIM)]
+    count = translate(counted(" {count} line", " {count} lines", len(lines)))
+    title: list[Run] = [(tr("Log of {name}", name=sanitize(name)), StyleRole.TITLE), (count, StyleRole.DIM)]
     if note:
         title.append((f"  {translate(sanitize(note))}", StyleRole.WARN))
-    empty = tr("no matching line") if total else translate(sanitize(note)) or tr("no line yet")
-    return Table(tuple(title), LateRows([number for number, _ in found], row), empty)
+    empty = translate(sanitize(note)) or tr("no line yet")
+    return table_of(title, _LINE, lines, itemgetter(0), arrangement=arrangement, empty=empty)

@@ -1,11 +1,12 @@
 """Rows of the routines, each with a row for every robot of its last run, and of a text about one."""
 
 from collections.abc import Callable, Hashable, Sequence
+from operator import attrgetter, itemgetter
 from typing import NamedTuple
 
 from fleet_tui.model.routines.lane import Lane
 from fleet_tui.model.routines.row import RoutineRow
-from fleet_tui.text.language import Message, tr, translate
+from fleet_tui.text.language import N_, Message, tr, translate
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.routines.lines import (
@@ -18,9 +19,9 @@ from fleet_tui.view.routines.lines import (
     lane_word,
     row_word,
 )
-from fleet_tui.view.tables.arrangement import table_of
+from fleet_tui.view.tables.arrangement import RowArrangement, table_of
 from fleet_tui.view.tables.columns import UNBOUNDED, Column
-from fleet_tui.view.tables.table import Row, Run, Table, column
+from fleet_tui.view.tables.table import Run, Table, column
 
 NONE_THERE = (
     Message("Write one there, for example morning.routine:"),
@@ -62,7 +63,11 @@ class ShownLane(NamedTuple):
 
 
 def routine_table(
-    rows: Sequence[RoutineRow], folder: str, clock: Callable[[float], str], width: int = UNBOUNDED
+    rows: Sequence[RoutineRow],
+    folder: str,
+    clock: Callable[[float], str],
+    width: int = UNBOUNDED,
+    arrangement: RowArrangement | None = None,
 ) -> Table:
     """Return the routines; the key of a row is the name, or the name and the robot. `clock` formats Unix
     seconds."""
@@ -78,7 +83,7 @@ def routine_table(
             entries += (ShownLane(row, lane) for lane in row.lanes)
     # Of robots that wait for their turn, too: the column must not change.
     names = column((name for row in rows for name in (row.name, *(f"  {one}" for one in row.plans))), 7, 18)
-    return table_of(title, _columns(names, clock), entries, lambda one: one.key, width)
+    return table_of(title, _columns(names, clock), entries, attrgetter("key"), width, arrangement=arrangement)
 
 
 def _columns(names: int, clock: Callable[[float], str]) -> Sequence[Column[ShownLane]]:
@@ -95,10 +100,17 @@ def _columns(names: int, clock: Callable[[float], str]) -> Sequence[Column[Shown
         return clock(one.routine.at) if one.routine.lanes else "-", StyleRole.DIM
 
     return (
-        Column("", name, names, tr("routine"), stays=True),
-        Column("", state, 11, tr("state")),
-        Column("", since, 11, tr("since")),
-        Column("", _instruction, None, tr("instruction")),
+        Column(
+            N_("routine"),
+            name,
+            names,
+            text=lambda one: f"{one.routine.name} {one.lane.robot if one.lane else ''}",
+            sorts=True,
+            stays=True,
+        ),
+        Column(N_("state"), state, 11),
+        Column(N_("since"), since, 11, is_apart=True),
+        Column(N_("instruction"), _instruction),
     )
 
 
@@ -114,8 +126,14 @@ def _instruction(one: ShownLane) -> Run:
     return "; ".join(sanitize(part) for part in (by, times) if part), StyleRole.DIM
 
 
-def text_table(title: Message, lines: Sequence[str], note: str | None = None) -> Table:
+_LINE: Sequence[Column[tuple[int, str]]] = (Column(N_("line"), lambda line: line[1], None, ""),)
+
+
+def text_table(
+    title: Message, lines: Sequence[str], note: str | None = None, arrangement: RowArrangement | None = None
+) -> Table:
     """Return the lines of a text about a routine; `note` is beside the title, by default how to leave it."""
-    shown = [Row(n, ((sanitize(line), StyleRole.TEXT),)) for n, line in enumerate(lines)]
     beside = tr("  Esc: back") if note is None else note
-    return Table(((translate(sanitize(title)), StyleRole.TITLE), (beside, StyleRole.DIM)), shown)
+    runs = (translate(sanitize(title)), StyleRole.TITLE), (beside, StyleRole.DIM)
+    entries = tuple(enumerate(lines))
+    return table_of(runs, _LINE, entries, itemgetter(0), arrangement=arrangement)

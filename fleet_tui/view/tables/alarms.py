@@ -1,23 +1,22 @@
 """The alarm pane: conditions that need a person, and unacknowledged alarms."""
 
-from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterator, Mapping
+from operator import attrgetter
 from textwrap import wrap
-
-from msgspec.structs import replace
+from typing import Any
 
 from fleet_tui.model.alarm import Alarm, AlarmStage, Key, Priority
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.order import natural
 from fleet_tui.rules.alarms.classes import action_of
 from fleet_tui.rules.alarms.floods import is_group
 from fleet_tui.rules.alarms.trouble import to_look_at, urgency
 from fleet_tui.text.language import N_, Message, counted, tr, translate
-from fleet_tui.text.sanitize import cell_width, fit, folded, sanitize
+from fleet_tui.text.sanitize import cell_width, sanitize
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.arrangement import RowArrangement
-from fleet_tui.view.tables.columns import UNBOUNDED, Column
+from fleet_tui.view.tables.columns import BELOW, LEAST_REST, UNBOUNDED, Column, FittedColumns, rows_of
 from fleet_tui.view.tables.short_names import own_names
-from fleet_tui.view.tables.table import LateRows, Row, Run, Table, column
+from fleet_tui.view.tables.table import Row, Run, Table, width_of
 
 SIGNS = {
     AlarmStage.UNACKNOWLEDGED: Message("▲ new"),
@@ -42,9 +41,6 @@ WITH_PRIORITY = 44
 HOURS_MINUTES = 5
 SHORT = 4
 """Cells of a priority in a narrow pane."""
-REST_AT = 2
-LEAST_REST = 10
-"""Cells before the rest of a long text, and those that each of its lines has at least."""
 FEW = 4
 """Alarms up to which one of them has its advice in view."""
 
@@ -57,74 +53,44 @@ def _role(alarm: Alarm) -> StyleRole:
     return StyleRole.TEXT if alarm.stage is AlarmStage.ACKNOWLEDGED else StyleRole.DIM
 
 
-def _row(
-    state: FleetState, alarm: Alarm, names: Mapping[str, str], clock: Callable[[float], str], width: int
-) -> Row:
-    role = _role(alarm)
-    count = f" x{alarm.count}" if alarm.count > 1 else ""
-    shelf = ""
-    if alarm.stage is AlarmStage.SHELVED:
-        shelf = tr(" until {wall}", wall=clock(state.wall + alarm.shelved_until - state.now))
-    is_wide = width >= WITH_PRIORITY
-    at = clock(alarm.shown_wall)
-    runs = _signs(alarm, shelf, is_wide, role)
-    runs.append((names[alarm.condition.source] + " ", StyleRole.TEXT))
-    left = width - 1 - sum(cell_width(text) for text, _ in runs)
-    text = _short(translate(sanitize(alarm.text)), left)
-    since = f" {at if is_wide else at[:HOURS_MINUTES]}"
-    # Half a time is none.
-    since = since if cell_width(text + since + count) <= left else ""
-    runs += [(text, role), (since + count, StyleRole.DIM)]
-    return Row(alarm.key, tuple(runs))
+def _told(alarm: Alarm, clock: Callable[[float], str], cells: int, is_whole: bool) -> list[Run]:
+    """Return the text of an alarm in so many cells, unless it is whole, and since when it holds if there is
+    space for that."""
+    text = translate(sanitize(alarm.text))
+    if not is_whole and text.endswith(")") and cell_width(text) > cells:
+        text = text.rpartition(" (")[0]
+    since, count = f" {clock(alarm.shown_wall)}", f" x{alarm.count}" if alarm.count > 1 else ""
+    if cell_width(text + since + count) > cells:
+        since = ""  # half a time is none
+    return [(text, _role(alarm)), (since + count, StyleRole.DIM)]
 
 
-def _names(state: FleetState, alarms: Sequence[Alarm], width: int) -> Mapping[str, str]:
-    """Return the name of each source in the cells of their column: if one is too long, those of fleets have
-    the robot's own part alone where it tells the robots apart."""
-    most = max(14, width // 3) if width >= WITH_PRIORITY else 9
-    sources = {alarm.condition.source for alarm in alarms}
-    names = {source: source for source in sources}
-    if max(map(cell_width, sources), default=0) > most:
+def _names(state: FleetState, most: int) -> Mapping[str, str]:
+    """Return the name of each source: if one is too long, those of fleets have the robot's own part alone
+    where it tells the robots apart."""
+    names = {alarm.condition.source: alarm.condition.source for alarm in state.alarms}
+    if max(map(cell_width, names), default=0) > most:
         own = own_names(tuple(state.robots))
-        names |= {one: own[one] for one in sources if one in own}
-    cells = column(names.values(), 7, most)
-    return {one: fit(name, cells) for one, name in names.items()}
+        names |= {one: own[one] for one in names if one in own}
+    return names
 
 
-def _signs(alarm: Alarm, shelf: str, is_wide: bool, role: StyleRole) -> list[Run]:
+def _signs(alarm: Alarm, shelf: str, is_wide: bool) -> list[Run]:
     """Return stage and priority, in a narrow pane the stage as a sign: what is most urgent as a chip, like a
     robot's on the map."""
-    sign, priority = SIGNS[alarm.stage], alarm.condition.priority
+    sign, priority = translate(SIGNS[alarm.stage]), alarm.condition.priority
+    text = f"{sign[0]} {translate(SHORT_PRIORITIES[priority])[:SHORT]}{shelf}"
     if is_wide:
-        signs = list(SIGNS.values())[:-1]
-        text = f"{_padded(sign, signs)}{shelf} {_padded(PRIORITIES[priority], PRIORITIES.values())}"
-    else:
-        text = f"{sign[0]} {translate(SHORT_PRIORITIES[priority])[:SHORT]}{shelf}"
+        text = f"{sign:<{_longest(SIGNS)}}{shelf} {translate(PRIORITIES[priority])}"
     if alarm.needs_acknowledgement and alarm.holds and alarm.condition.priority is Priority.HIGH:
-        chip = text.rstrip()
-        return [(chip, StyleRole.ROBOT_ALARM), (text[len(chip) :] + " ", role)]
+        return [(text.rstrip(), StyleRole.ROBOT_ALARM), ("", StyleRole.TEXT)]
     is_known = alarm.holds and alarm.stage is AlarmStage.ACKNOWLEDGED
-    return [(text + " ", StyleRole.WARN if is_known else role)]
+    return [(text, StyleRole.WARN if is_known else _role(alarm))]
 
 
-def _padded(word: Message, others: Iterable[Message]) -> str:
-    """Return a word in the cells of the longest of its column."""
-    return f"{translate(word):<{max(cell_width(translate(one)) for one in others)}}"
-
-
-def _in_full(row: Row, alarm: Alarm, width: int) -> list[Row]:
-    """Return the row of an alarm; if it would be cut, the rest of its text below: at its end is the cause."""
-    text, role = translate(sanitize(alarm.text)), row.runs[-2][1]
-    head = row.runs[:-2]
-    left = width - sum(cell_width(part) for part, _ in head)
-    if cell_width(text) <= left:
-        return [row]
-    first, *rest = folded(text, max(LEAST_REST, left), max(LEAST_REST, width - 1 - REST_AT))
-    return [replace(row, runs=(*head, (first, role))), *(_below(line, role) for line in rest)]
-
-
-def _below(text: str, role: StyleRole) -> Row:
-    return Row(None, ((" " * REST_AT + text, role),))
+def _longest(words: Mapping[Any, Message]) -> int:
+    """Return the cells of the longest word but that of shelved alarms."""
+    return max(cell_width(translate(word)) for key, word in words.items() if key is not AlarmStage.SHELVED)
 
 
 def _advice(alarm: Alarm, width: int, whose: str = "") -> list[Row]:
@@ -133,24 +99,8 @@ def _advice(alarm: Alarm, width: int, whose: str = "") -> list[Row]:
     if not alarm.holds or alarm.stage is AlarmStage.SHELVED or width >= UNBOUNDED:
         return []
     action = translate(action_of(alarm.condition))
-    lines = wrap(whose + action, max(LEAST_REST, width - 1 - REST_AT))
-    return [_below(line, StyleRole.TEXT) for line in lines]
-
-
-def _explained(
-    rows: Sequence[Row], alarms: Sequence[Alarm], marked: Hashable | None, width: int
-) -> list[Row]:
-    """Return the rows with the whole text of the marked one, and below all its advice."""
-    place = next((n for n, alarm in enumerate(alarms) if alarm.key == marked), 0)
-    meant = alarms[place]
-    whose = f"{sanitize(meant.condition.source)}: " if len(alarms) > 1 else ""
-    full = _in_full(rows[place], meant, width)
-    return [*rows[:place], *full, *rows[place + 1 :], *_advice(meant, width, whose)]
-
-
-def _short(text: str, cells: int) -> str:
-    """Return a text without the detail at its end, in brackets, if it is too long with it."""
-    return text.rpartition(" (")[0] if text.endswith(")") and cell_width(text) > cells else text
+    lines = wrap(whose + action, max(LEAST_REST, width - 1 - width_of([BELOW])))
+    return [Row(None, (BELOW, (line, StyleRole.TEXT))) for line in lines]
 
 
 def unacknowledged(state: FleetState) -> list[Key]:
@@ -178,15 +128,42 @@ def _suppressed(state: FleetState) -> int:
     return grouped + covered + sum(robot.link in down for robot in state.robots.values())
 
 
-def _columns(clock: Callable[[float], str]) -> tuple[Column[Alarm], ...]:
+def _columns(
+    state: FleetState,
+    clock: Callable[[float], str],
+    width: int,
+    rest: Callable[[], int],
+    is_whole: Callable[[Alarm], bool],
+) -> tuple[Column[Alarm], ...]:
+    """Return the columns for a pane of `width` cells; `rest` returns those of the text."""
+    is_wide = width >= WITH_PRIORITY
+    most = max(14, width // 3) if is_wide else 9
+    names = _names(state, most)
+    shown_clock = clock if is_wide else lambda wall: clock(wall)[:HOURS_MINUTES]
+
+    def signs(alarm: Alarm) -> list[Run]:
+        shelf = ""
+        if alarm.stage is AlarmStage.SHELVED:
+            shelf = tr(" until {wall}", wall=clock(state.wall + alarm.shelved_until - state.now))
+        return _signs(alarm, shelf, is_wide)
+
+    least = _longest(SIGNS) + 1 + _longest(PRIORITIES) if is_wide else len("! ") + SHORT
     return (
+        Column("", signs, (least, UNBOUNDED), ""),
         Column(
             N_("robot"),
+            lambda alarm: names[alarm.condition.source],
+            (7, most),
+            "",
             text=lambda alarm: alarm.condition.source,
-            order=lambda alarm: natural(alarm.condition.source),
+            sorts=True,
         ),
         Column(
-            N_("alarm"), text=lambda alarm: translate(alarm.text), order=lambda alarm: alarm.condition.kind
+            N_("alarm"),
+            lambda alarm: _told(alarm, shown_clock, rest(), is_whole(alarm)),
+            head="",
+            text=lambda alarm: translate(alarm.text),
+            order=lambda alarm: alarm.condition.kind,
         ),
         Column(N_("priority"), text=lambda alarm: translate(PRIORITIES[alarm.condition.priority])),
         Column(N_("stage"), text=lambda alarm: translate(SIGNS[alarm.stage])[2:].strip()),
@@ -234,11 +211,14 @@ def alarm_table(
     time. `marked` is the alarm that keys are for: of a few its text is whole and its advice is below
     them; `key` goes to the next robot in trouble."""
     arrangement = arrangement or RowArrangement()
-    alarms = arrangement.arranged(sorted(state.alarms, key=urgency), _columns(clock))
-    names = _names(state, alarms, width)
-    keys = [alarm.key for alarm in alarms]
-    rows: Sequence[Row] = LateRows(keys, lambda place: _row(state, alarms[place], names, clock, width))
+    columns = _columns(state, clock, width, lambda: shown.rest - 1, lambda alarm: alarm is meant)
+    alarms = arrangement.arranged(sorted(state.alarms, key=urgency), columns)
+    shown, meant = FittedColumns(columns, alarms, width), None
+    entries: list[Alarm | Row] = [*alarms]
     if 1 <= len(alarms) <= FEW:
-        rows = _explained(rows, alarms, marked, width)
+        meant = next((alarm for alarm in alarms if alarm.key == marked), alarms[0])
+        whose = f"{sanitize(meant.condition.source)}: " if len(alarms) > 1 else ""
+        entries += _advice(meant, width, whose)
+    rows = rows_of(shown, entries, attrgetter("key"), whole=lambda alarm: alarm is meant)
     empty = arrangement.no_match if state.alarms else _without_alarms(state, key)
     return Table((*_title(state), *arrangement.notes(len(alarms))), rows, empty, unfiltered=len(state.alarms))

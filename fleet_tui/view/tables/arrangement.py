@@ -18,10 +18,12 @@ NO_MATCH = Message("nothing matches the filter: Esc clears it")
 
 
 class RowArrangement:
-    """The filter as `typed`, the value that sorts, empty for the table's own order, and the groups."""
+    """The filter as `typed`, the value that sorts, empty for the table's own order, and the groups.
+    `whole_numbers`: a filter does not find `robot_2` in `robot_22`."""
 
-    def __init__(self) -> None:
+    def __init__(self, whole_numbers: bool = False) -> None:
         self.typed = ""
+        self._whole_numbers = whole_numbers
         self.groups = RowGroups()
         self.is_typing = False
         """The operator is about to type a letter: what it will search in is made before, for that takes
@@ -49,7 +51,7 @@ class RowArrangement:
         """Return the wanted items in order; equal ones keep theirs, or that of `usual`. With the names of
         items and the time (monotonic), what a filter finds in them may be old by up to two seconds: texts of
         500 robots take longer than a key may."""
-        self._sorted_by = [one.name for one in columns if one.order is not None]
+        self._sorted_by = [one.name for one in columns if one.key is not None]
         self.names = [one.name for one in columns if one.name]
         terms = filter_terms(self.typed, self.names)
         searched = self._searched(columns, named, at)
@@ -57,10 +59,11 @@ class RowArrangement:
             items = list(items)
             for item in items:
                 searched(item)("")
-        found = [item for item in items if not terms or is_wanted(terms, searched(item))]
+        whole = self._whole_numbers
+        found = [item for item in items if not terms or is_wanted(terms, searched(item), whole)]
         if usual is not None:  # not before: of a large fleet a filter leaves few
             found.sort(key=usual)
-        order = next((one.order for one in columns if one.name == self.column), None)
+        order = next((one.key for one in columns if one.name == self.column), None)
         return sorted(found, key=order) if order is not None else found
 
     def _searched(
@@ -68,7 +71,7 @@ class RowArrangement:
     ) -> Callable[[Item], Callable[[str], str]]:
         """Return what returns the texts of an item for a filter, as `is_wanted` asks for them."""
         by_name = {one.name: one.text or one.found for one in columns}
-        common = [by_name[one.name] for one in columns if one.name and not one.is_apart]
+        common = [by_name[one.name] for one in columns if one.name and not one.is_apart | one.is_right]
 
         def of(item: Item) -> Callable[[str], str]:
             known = self._texts_of(named(item), at) if named is not None else {}
@@ -103,8 +106,9 @@ class RowArrangement:
 
     def notes(self, shown: int) -> list[Run]:
         """Return what the title says of it; `shown` rows are left."""
-        runs = [(f" /{self.typed}: {shown}", StyleRole.ACCENT)] if self.typed else []
-        return runs + [(tr(" by {column}", column=tr(self.column)), StyleRole.ACCENT)] * bool(self.column)
+        runs = [(f" /{sanitize(self.typed)}: {shown}", StyleRole.ACCENT)] if self.typed else []
+        sorts = self.column in self._sorted_by  # of several pages in one arrangement each has its own
+        return runs + [(tr(" by {column}", column=tr(self.column)), StyleRole.ACCENT)] * sorts
 
 
 def table_of(
@@ -115,16 +119,16 @@ def table_of(
     width: int = UNBOUNDED,
     *,
     arrangement: RowArrangement | None = None,
+    above: Iterable[Row] = (),
     below: Callable[[Item], Iterable[Row]] = lambda _: (),
     empty: str = "",
-    has_head: bool = True,
 ) -> Table:
-    """Return items as rows of `width` cells with their keys, as arranged; `below` are the rows of an opened
-    one. `empty` is shown if there are no items."""
+    """Return items as rows of `width` cells with their keys, as arranged; `above` are rows before all,
+    `below` those of an opened one. `empty` is shown if there are no items."""
     arrangement = arrangement or RowArrangement()
     wanted = arrangement.arranged(items, columns)
     shown = FittedColumns(columns, wanted, width)
-    entries: list[Item | Row] = []
+    entries: list[Item | Row] = [*above]
     for item in wanted:
         entries.append(item)
         entries += below(item)
@@ -132,7 +136,7 @@ def table_of(
         (*title, *arrangement.notes(len(wanted))),
         rows_of(shown, entries, key),
         arrangement.no_match if items else empty,
-        head=shown.head if has_head else (),
+        head=shown.head,
         unfiltered=len(items),
         stays=shown.stays,
     )

@@ -50,9 +50,7 @@ def audit_table(
     """Return records in the given sequence; `note` is beside the title, `empty` shown if there are none."""
     title = ((tr("Audit log"), StyleRole.TITLE), (f" {sanitize(note)}", StyleRole.DIM))
     entries = list(enumerate(records))
-    return table_of(
-        title, _COLUMNS, entries, lambda entry: entry[0], width, empty=sanitize(empty), has_head=False
-    )
+    return table_of(title, _COLUMNS, entries, lambda entry: entry[0], width, empty=sanitize(empty))
 
 
 def _told(entry: tuple[int, AuditRecord]) -> list[Run]:

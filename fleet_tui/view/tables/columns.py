@@ -1,15 +1,16 @@
 """Columns: each is declared once, and its head, width, filter and order follow from that."""
 
-from collections.abc import Callable, Hashable, Sequence
+from collections.abc import Callable, Hashable, Iterator, Sequence
 from itertools import islice, takewhile
 from typing import Any, Generic, TypeVar
 
 from msgspec import Struct
 
+from fleet_tui.model.order import natural
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import cell_width, fit, sanitize
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.table import LateRows, Row, Run, column, cut, width_of
+from fleet_tui.view.tables.table import LateRows, Row, Run, column, cut, folded_runs, width_of
 
 Item = TypeVar("Item")
 
@@ -22,23 +23,27 @@ LEAST_REST = 10
 PARTS = 0.7
 """Share of a text from which the whole parts at its end are shown for it."""
 GAP: Run = " ", StyleRole.TEXT
+BELOW: Run = "  ", StyleRole.TEXT
+"""Before the rest of a long row, in the line below it."""
 
 
 class Column(Struct, Generic[Item], frozen=True):
     """A value of the items of a table. Its `name` is its head, finds it in a filter and tells the order.
     `cell` returns what is shown, None for a value that is only found. `cells` is its width, or the least and
     the most of one that depends on what it holds, None for the rest of the row. It is shown in panes of
-    `from_cells` on. `text` returns what a filter finds, by default what is shown, and `order` what sorts. One
-    that `is_apart` is found only by its name. One that `stays` never slides away. `may_go`: it is left out
-    where the others would have too few cells, and needs none. `ends_differ`: texts are cut at their front."""
+    `from_cells` on. `text` returns what a filter finds, by default what is shown. `order` returns what sorts;
+    one that `sorts` does so by its text. One that `is_apart` is found only by its name, as is a figure, which
+    `is_right`. One that `stays` never slides away. `may_go`: it is left out where the others would have too
+    few cells, and needs none. `ends_differ`: texts are cut at their front."""
 
     name: str
-    cell: Callable[[Item], Run | list[Run]] | None = None
+    cell: Callable[[Item], str | Run | list[Run]] | None = None
     cells: int | tuple[int, int] | None = None
     head: str | None = None
     from_cells: int = 0
     text: Callable[[Item], str] | None = None
     order: Callable[[Item], Any] | None = None
+    sorts: bool = False
     is_apart: bool = False
     is_right: bool = False
     stays: bool = False
@@ -54,6 +59,8 @@ class Column(Struct, Generic[Item], frozen=True):
         if self.cell is None:
             return []
         made = self.cell(item)
+        if isinstance(made, str):
+            return [(sanitize(made), StyleRole.TEXT)]
         if isinstance(made, tuple):
             return [(sanitize(made[0]), made[1])]
         return [(sanitize(text), role) for text, role in made]
@@ -61,6 +68,11 @@ class Column(Struct, Generic[Item], frozen=True):
     def found(self, item: Item) -> str:
         """Return what a filter finds of an item."""
         return self.text(item) if self.text is not None else _text(self.runs(item))
+
+    @property
+    def key(self) -> Callable[[Item], Any] | None:
+        """Return what returns the key that sorts an item, None if it does not sort."""
+        return self.order or ((lambda item: natural(self.found(item))) if self.sorts else None)
 
 
 class FittedColumns(Generic[Item]):
@@ -103,7 +115,9 @@ class FittedColumns(Generic[Item]):
 
     @property
     def head(self) -> tuple[Run, ...]:
-        """Return the names, each above its column."""
+        """Return the names, each above its column, empty if no column has one."""
+        if not any(one.title for one in self._columns):
+            return ()
         last = len(self._columns) - 1
         names = (
             one.title
@@ -138,6 +152,20 @@ class FittedColumns(Generic[Item]):
                 cells -= left
             made += (*cut(runs, cells), GAP)
         return tuple(made)
+
+    def lines(self, item: Item) -> Iterator[tuple[Run, ...]]:
+        """Yield the row of an item, and below it what its last column has no cells for: at its end is the
+        cause."""
+        runs = self.runs(item)
+        if width_of(runs) <= self._width or self._cells[-1] is not None:
+            yield runs
+            return
+        told = self._columns[-1].runs(item)
+        start = runs[: len(runs) - len(told)]
+        cells = self._width - width_of(start), self._width - width_of([BELOW])
+        first, *rest = folded_runs(told, *(max(LEAST_REST, one) for one in cells))
+        yield (*start, *first)
+        yield from ((BELOW, *line) for line in rest)
 
 
 def _cells(one: Column[Item], items: Sequence[Item]) -> int | None:
@@ -177,12 +205,32 @@ def _text(runs: Sequence[Run]) -> str:
 
 
 def rows_of(
-    columns: FittedColumns[Item], entries: Sequence[Item | Row], key: Callable[[Item], Hashable]
+    columns: FittedColumns[Item],
+    entries: Sequence[Item | Row],
+    key: Callable[[Item], Hashable],
+    whole: Callable[[Item], bool] | None = None,
 ) -> LateRows:
-    """Return a row for each item, made when it is shown; rows among them, as below an opened one, stay."""
+    """Return a row for each item, made when it is shown; rows among them, as below an opened one, stay. Those
+    that are `whole` go on in further lines, which have no key, where they would lose their end."""
+    if whole is not None:
+        entries = [row for one in entries for row in _lines(columns, one, key, whole)]
 
     def row(place: int) -> Row:
         entry = entries[place]
         return entry if isinstance(entry, Row) else Row(key(entry), columns.runs(entry))
 
     return LateRows([one.key if isinstance(one, Row) else key(one) for one in entries], row)
+
+
+def _lines(
+    columns: FittedColumns[Item],
+    entry: Item | Row,
+    key: Callable[[Item], Hashable],
+    whole: Callable[[Item], bool],
+) -> Iterator[Item | Row]:
+    if isinstance(entry, Row) or not whole(entry):
+        yield entry
+        return
+    first, *rest = columns.lines(entry)
+    yield Row(key(entry), first)
+    yield from (Row(None, line) for line in rest)

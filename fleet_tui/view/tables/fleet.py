@@ -11,7 +11,6 @@ from msgspec.structs import replace
 
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.facts import Activity
-from fleet_tui.model.order import natural
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.alarms.trouble import acknowledged, by_urgency, shelved, to_look_at
 from fleet_tui.rules.commands.local_queue import all_orders
@@ -282,7 +281,7 @@ def fleet_columns(
             column(names.values(), 6, 14),
             tr("Robot"),
             text=lambda robot: robot.name,
-            order=lambda robot: natural(robot.name),
+            sorts=True,
             stays=True,
         ),
         *of(
@@ -300,7 +299,7 @@ def fleet_columns(
                 floor,
                 tr("Floor")[: max(FLOOR, floor)],
                 text=partial(floor_text, state),
-                order=lambda robot: natural(floor_text(state, robot)),
+                sorts=True,
             ),
         ),
         *of("cargo", Column("", lambda robot: (CARGO if robot.has_cargo else "", role(robot)), 1, "")),
@@ -312,7 +311,6 @@ def fleet_columns(
             tr("Left"),
             WITH_LEFT,
             order=by_left,
-            is_apart=True,
             is_right=True,
         ),
         Column("", partial(_seen, state), 6, tr("Seen"), WITH_SEEN, is_right=True),

@@ -81,10 +81,11 @@ class Listing:
         self._place = keys.index(self.cursor) if self.cursor is not None else 0
 
     @property
-    def line(self) -> str:
-        """Return the text of the cursor's row, empty without one."""
-        row = self._table.rows[self._place] if self._place < len(self._table.rows) else None
-        return "".join(text for text, _ in row.runs).strip() if row is not None else ""
+    def text(self) -> str:
+        """Return the marked rows as lines, else the cursor's, empty without one."""
+        marked = [n for n, key in enumerate(self._table.keys) if identity(key) in self.marks]
+        rows = [self._table.rows[n] for n in marked or [self._place] if n < len(self._table.rows)]
+        return "\n".join("".join(text for text, _ in row.runs).strip() for row in rows)
 
     def slide(self, step: int) -> None:
         """Slide long rows to the left or right."""

@@ -8,7 +8,7 @@ from fleet_tui.model import kind
 from fleet_tui.model.commands import CancelOrder, ClearOrders, CommandRecord, PlaceOrder, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import Phase
-from fleet_tui.model.order import Order, OrderState, natural, vertices_of
+from fleet_tui.model.order import Order, OrderState, vertices_of
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.local_queue import all_orders
 from fleet_tui.rules.commands.order_ends import placed_by
@@ -251,11 +251,11 @@ def queue_columns(
     return (
         Column(
             N_("robot"),
-            (lambda entry: (entry[0].name, StyleRole.TEXT)) if all_robots else None,
+            (lambda entry: entry[0].name) if all_robots else None,
             (6, 12),
             tr("Robot"),
             text=lambda entry: entry[0].name,
-            order=lambda entry: natural(entry[0].name),
+            sorts=True,
             stays=True,
         ),
         Column(
@@ -272,22 +272,12 @@ def queue_columns(
             3,
             tr("Pos"),
             WITH_POSITION,
-            is_apart=True,
             is_right=True,
         ),
         Column(N_("order"), told, None, tr("Order"), text=by_mission, order=by_mission),
-        Column(N_("state"), text=lambda entry: entry[2].state_text, order=lambda entry: entry[2].state_text),
-        Column(N_("distance"), left, 8, tr("Left"), WITH_LEFT, order=by_left, is_apart=True, is_right=True),
-        Column(
-            N_("age"),
-            partial(_age, state),
-            7,
-            tr("Age"),
-            WITH_AGE,
-            order=by_age,
-            is_apart=True,
-            is_right=True,
-        ),
+        Column(N_("state"), text=lambda entry: entry[2].state_text, sorts=True),
+        Column(N_("distance"), left, 8, tr("Left"), WITH_LEFT, order=by_left, is_right=True),
+        Column(N_("age"), partial(_age, state), 7, tr("Age"), WITH_AGE, order=by_age, is_right=True),
     )
 
 

@@ -1,10 +1,10 @@
 """The pane of the last events: current alarms, links that returned, commands given here, orders that began
 or ended."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from heapq import nlargest
-from itertools import islice
+from operator import itemgetter
 
 from fleet_tui.model.alarm import Alarm, AlarmStage
 from fleet_tui.model.commands import ORDER_ENDS, CommandRecord, Stage
@@ -17,46 +17,35 @@ from fleet_tui.rules.alarms.told import told
 from fleet_tui.rules.commands.batches import pauses, summary
 from fleet_tui.rules.commands.order_ends import ended_orders, placed_by, seen_end
 from fleet_tui.text.language import Message, tr, translate
-from fleet_tui.text.sanitize import cell_width, fit, folded, sanitize
+from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.commands import TROUBLE, command_text, stage_text
 from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.tables.columns import Column, FittedColumns, rows_of
 from fleet_tui.view.tables.missions import destinations, mission, whose_mission
 from fleet_tui.view.tables.news import without_cause
-from fleet_tui.view.tables.table import Row, Run, Table, column
+from fleet_tui.view.tables.table import Run, Table
 
-Event = tuple[float, str, Callable[[], tuple[Run, ...]]]
+Event = tuple[float, str, Callable[[], Run]]
 """Unix seconds, its robot or other source, and what happened: only the newest ones are written out."""
 
 WHOLE = 60
 HOURS_MINUTES = 5
 """Cells of a pane from which times have seconds, and those of a time without them."""
-LEAST_TEXT = 10
-"""Cells that a line of text has at least."""
 
 
 def recent_table(state: FleetState, clock: Callable[[float], str], lines: int, width: int = WHOLE) -> Table:
     """Return the newest events, in at most `lines` lines. `clock` formats Unix seconds as a local time, which
     has no seconds in a pane of few cells."""
     found = [*_alarms(state), *_links(state), *_commands(state), *_orders(state, width < WHOLE)]
-    newest = nlargest(lines, found or _connected(state), key=lambda event: event[0])
-    sources = column((source for _, source, _ in newest), 7, 15)
+    newest = nlargest(lines, found or _connected(state), key=itemgetter(0))
     shown = None if width >= WHOLE else HOURS_MINUTES
-    rows = (
-        row
-        for at, source, runs in newest
-        for row in _in_full(f"{clock(at)[:shown]} ", fit(source, sources) + " ", runs(), width)
+    columns: Sequence[Column[Event]] = (
+        Column("", lambda event: (clock(event[0])[:shown], StyleRole.DIM), (1, 8)),
+        Column("", lambda event: (event[1], StyleRole.DIM), (7, 15)),
+        Column("", lambda event: event[2]()),
     )
-    return Table(((tr("Recent"), StyleRole.TITLE),), tuple(islice(rows, lines)), tr("nothing yet"))
-
-
-def _in_full(at: str, source: str, runs: tuple[Run, ...], width: int) -> Iterator[Row]:
-    """Yield the row of an event, and below it what it has no cells for: at its end is the cause."""
-    ((text, role),) = runs
-    left, indent = width - cell_width(at + source), " " * cell_width(at)
-    first, *rest = folded(text, max(LEAST_TEXT, left), max(LEAST_TEXT, width - len(indent)))
-    yield Row(None, ((at, StyleRole.DIM), (source, StyleRole.DIM), (first, role)))
-    for line in rest:
-        yield Row(None, ((indent + line, role),))
+    rows = rows_of(FittedColumns(columns, newest, width), newest, lambda _: None, whole=lambda _: True)
+    return Table(((tr("Recent"), StyleRole.TITLE),), rows[:lines], tr("nothing yet"))
 
 
 def _alarms(state: FleetState) -> Iterator[Event]:
@@ -81,14 +70,14 @@ def _since(state: FleetState, link: LinkState) -> float:
     return state.wall - (state.now - link.since)
 
 
-def _returned(text: Message) -> tuple[Run, ...]:
-    return ((translate(sanitize(text)), StyleRole.TEXT),)
+def _returned(text: Message) -> Run:
+    return translate(sanitize(text)), StyleRole.TEXT
 
 
-def _alarm(alarm: Alarm) -> tuple[Run, ...]:
+def _alarm(alarm: Alarm) -> Run:
     is_quiet = not alarm.holds or alarm.stage is AlarmStage.SHELVED
     text = without_cause(alarm, told(alarm))  # the alarms pane has that of an order
-    return ((translate(sanitize(text)), StyleRole.DIM if is_quiet else StyleRole.ALARM),)
+    return translate(sanitize(text)), StyleRole.DIM if is_quiet else StyleRole.ALARM
 
 
 def _commands(state: FleetState) -> Iterator[Event]:
@@ -105,12 +94,12 @@ def _commands(state: FleetState) -> Iterator[Event]:
             yield record.wall, record.command.robot, partial(_command, state, record)
 
 
-def _command(state: FleetState, record: CommandRecord) -> tuple[Run, ...]:
+def _command(state: FleetState, record: CommandRecord) -> Run:
     text = command_text(state, record.command).removeprefix(f"{record.command.robot} ")
     return _said(f"{text}: {stage_text(record, state.now)}", record.stage)
 
 
-def _batch(state: FleetState, batch: list[CommandRecord]) -> tuple[Run, ...]:
+def _batch(state: FleetState, batch: list[CommandRecord]) -> Run:
     name, outcome = summary(state, batch)
     worst = next((record.stage for record in batch if record.stage in TROUBLE), batch[0].stage)
     return _said(f"{translate(name)}: {translate(outcome)}", worst)
@@ -139,11 +128,11 @@ def _is_alarm(state: FleetState, robot: Robot, gone: GoneOrder) -> bool:
     return any(parts & alarm.condition.parts for alarm in alarms)
 
 
-def _begun(state: FleetState, robot: Robot, order: Order, is_narrow: bool) -> tuple[Run, ...]:
-    return ((_what(state, robot, order, tr("started"), is_narrow), StyleRole.DIM),)
+def _begun(state: FleetState, robot: Robot, order: Order, is_narrow: bool) -> Run:
+    return _what(state, robot, order, tr("started"), is_narrow), StyleRole.DIM
 
 
-def _order(state: FleetState, robot: Robot, gone: GoneOrder, is_narrow: bool) -> tuple[Run, ...]:
+def _order(state: FleetState, robot: Robot, gone: GoneOrder, is_narrow: bool) -> Run:
     stage = seen_end(state, robot, gone).stage
     return _said(_what(state, robot, gone.order, tr(stage.value), is_narrow), stage)
 
@@ -155,5 +144,5 @@ def _what(state: FleetState, robot: Robot, order: Order, happened: str, is_narro
     return f"{whose_mission(state, robot, order)}: {happened}"
 
 
-def _said(text: str, stage: Stage) -> tuple[Run, ...]:
-    return ((text, StyleRole.WARN if stage in TROUBLE else StyleRole.TEXT),)
+def _said(text: str, stage: Stage) -> Run:
+    return text, StyleRole.WARN if stage in TROUBLE else StyleRole.TEXT

@@ -1,11 +1,11 @@
 """Tables: a title and rows of runs, with buttons for the mouse."""
 
-from collections.abc import Callable, Hashable, Iterable, Sequence
+from collections.abc import Callable, Hashable, Iterable, Iterator, Sequence
 from typing import overload
 
 from msgspec import Struct
 
-from fleet_tui.text.sanitize import cell_width, fit_words
+from fleet_tui.text.sanitize import cell_width, fit_words, folded
 from fleet_tui.view.roles import StyleRole
 
 Run = tuple[str, StyleRole]
@@ -90,6 +90,27 @@ def cut(runs: Iterable[Run], cells: int) -> tuple[Run, ...]:
     if left > 0:
         result.append((" " * left, StyleRole.TEXT))
     return tuple(result)
+
+
+def folded_runs(runs: Sequence[Run], first: int, others: int) -> list[list[Run]]:
+    """Return runs as lines, at least one, of which the first has other cells than those below it."""
+    text = "".join(part for part, _ in runs)
+    lines, start = [], 0
+    for line in folded(text, first, others):
+        start = text.index(line, start)
+        end = start + len(line)
+        lines.append(list(_between(runs, start, end)))
+        start = end
+    return lines
+
+
+def _between(runs: Sequence[Run], start: int, end: int) -> Iterator[Run]:
+    """Yield the letters from `start` to before `end` of runs."""
+    for text, role in runs:
+        if part := text[max(0, start) : max(0, end)]:
+            yield part, role
+        start -= len(text)
+        end -= len(text)
 
 
 def column(texts: Iterable[str], at_least: int = 0, at_most: int = 24) -> int:

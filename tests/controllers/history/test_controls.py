@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from fleet_tui.controllers.files import ConsoleFiles
-from fleet_tui.controllers.history.controls import NO_HISTORY, SPANS, HistoryControls, words_of
+from fleet_tui.controllers.history.controls import NO_HISTORY, SPANS, HistoryControls
 from fleet_tui.controllers.history.replaying import PastReplay
 from fleet_tui.text.language import EMPTY
 from fleet_tui.widgets.rows_pane import RowsPane
@@ -25,13 +25,13 @@ class View:
     def look(self) -> None:
         self.looks += 1
 
-    def open_filter(self) -> None:
+    def action_filter(self) -> None:
         self.went.append("filter")
 
     def put_filter(self, text: str) -> None:
         self.went.append(text)
 
-    def back(self) -> None:
+    def action_back(self) -> None:
         self.went.append("back")
 
 
@@ -94,7 +94,3 @@ def test_what_enter_opens(made: Made) -> None:
     assert controls.notice.startswith("no recording covers this moment"), "the end of the time shown"
     controls.leave()
     assert view.went[-1] == "back"
-
-
-def test_words_are_compared_without_case() -> None:
-    assert words_of("  Robot_1 !LOST ") == ["robot_1", "!lost"]

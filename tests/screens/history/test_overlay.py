@@ -1,5 +1,6 @@
 """`H`: a shift that was, on the console of one that goes on."""
 
+import base64
 import time
 from collections.abc import AsyncIterator, Sequence
 from contextlib import asynccontextmanager
@@ -58,6 +59,25 @@ async def test_a_filter_is_of_all_pages_and_is_cleared_first(server: RosbridgeSe
         assert "robot_1 order 2 Store -> Base: lost" in rows and "robot_0" not in rows
         await it.press("escape")
         assert "robot_0 order 1" in it.pane("history-rows") and overlays(it) == ["history"]
+
+
+async def test_its_rows_are_sorted_marked_and_copied_like_those_of_every_table(
+    server: RosbridgeServer, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async with past_console(server, tmp_path) as it:
+        sent: list[str] = []
+        monkeypatch.setattr(it.app._driver, "write", sent.append)
+        await it.press("S")
+        await it.shows(" by robot", "history-rows")
+        await it.press("slash")
+        await it.type("kind:order robot:robot_1")
+        await it.press("enter", "space", "down", "space", "y")
+        await it.shows("2 marked", "history-rows")
+        await it.shows("2 rows, ", "history-keys")
+        text = base64.b64decode(sent[-1].split(";")[2][:-1]).decode()
+        assert ["robot_1 order" in line for line in text.splitlines()] == [True, True]
+        await it.press("escape")
+        await it.hides("kind:order")
 
 
 async def test_another_time_is_read(server: RosbridgeServer, tmp_path: Path) -> None:

@@ -16,7 +16,7 @@ class Paged(App[None]):
     def __init__(self) -> None:
         super().__init__()
         self.chosen: list[object] = []
-        self.pages = Things("things", self.chosen.append, 1.0, "words")
+        self.pages = Things("things", self.chosen.append, 1.0, self.chosen.append)
 
     def compose(self) -> ComposeResult:
         yield self.pages

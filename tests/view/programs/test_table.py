@@ -6,6 +6,7 @@ from hypothesis import given
 from fleet_tui.model.programs.program import OLD, ProgramRow, ProgramState, ProgramStatus
 from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.view.programs.table import NONE_CONFIGURED, log_table, note, program_table
+from fleet_tui.view.tables.arrangement import NO_MATCH, RowArrangement
 from tests.support.diagnostics import text
 from tests.support.hostile_text import TEXTS, harmless
 
@@ -57,12 +58,15 @@ def test_without_programs_it_says_how_to_configure_one() -> None:
 def test_nothing_from_outside_reaches_the_terminal(detail: Message, logged: Message) -> None:
     status = ProgramStatus(ProgramState.FAILED, 0.0, detail=detail)
     assert harmless(line(ProgramRow("p", detail, status=status), 0.0))
-    shown = log_table("p", [(1, logged)], 1, detail, logged)
+    shown = log_table("p", [(1, logged)], logged)
     assert all(map(harmless, text(shown)))
 
 
 def test_a_log_counts_its_lines_and_says_why_it_is_empty() -> None:
-    assert text(log_table("nav", [(7, "a")], 3, "A", EMPTY)) == ["Log of nav 1 of 3 lines, matching A", "a"]
-    assert log_table("nav", [(7, "a")], 3, "", EMPTY).keys == [7]
-    assert log_table("nav", [], 3, "x", EMPTY).empty == "no matching line"
-    assert log_table("nav", [], 0, "", Message("tail: not found")).empty == "tail: not found"
+    arrangement = RowArrangement()
+    arrangement.typed = "A"
+    lines = [(7, "a"), (8, "b")]
+    assert text(log_table("nav", lines, EMPTY, arrangement)) == ["Log of nav 2 lines /A: 1", "a"]
+    assert log_table("nav", lines, EMPTY).keys == [7, 8]
+    assert log_table("nav", lines[1:], EMPTY, arrangement).empty == NO_MATCH
+    assert log_table("nav", [], Message("tail: not found")).empty == "tail: not found"

@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 from fleet_tui.model.counters import Raw, TopicCounter
 from fleet_tui.model.ros_logs import LogLine, PartDiagnosis, Severity
 from fleet_tui.view.roles import StyleRole
+from fleet_tui.view.tables.arrangement import RowArrangement
 from fleet_tui.view.tables.diagnostics.console import OwnFacts, console_table
 from fleet_tui.view.tables.diagnostics.health import health_table
 from fleet_tui.view.tables.diagnostics.links import link_table
@@ -33,12 +34,14 @@ def tables(words: str) -> Iterable[Table]:
     link.take_log(LogLine(T0, 4, words, words))
     link.take_health([PartDiagnosis(T0, words, 1, words, words, ((words, words),))])
     state, links = seen(link, reduced(fleet(2), link_lost(T0, words)))
-    yield link_table(links, NOW)
-    yield topic_table(state, links, words, NOW)
+    arrangement = RowArrangement()
+    arrangement.typed = words
+    yield link_table(links, NOW, arrangement=arrangement)
+    yield topic_table(state, links, NOW, arrangement=arrangement)
     yield raw_table(topic, raw, words, NOW)
-    yield robot_log_table(lines_of(links), links, state, str, Severity.DEBUG, words)
-    yield health_table(links, {(LINK, words)}, words, NOW)
-    yield console_table(OwnFacts(0.1, None, None, 0.0, 0.0, 0, None, None, 1, "1 s"), [words], words)
+    yield robot_log_table(lines_of(links), links, state, str, Severity.DEBUG)
+    yield health_table(links, {(LINK, words)}, NOW)
+    yield console_table(OwnFacts(0.1, None, None, 0.0, 0.0, 0, None, None, 1, "1 s"), [words])
 
 
 @given(TEXTS)

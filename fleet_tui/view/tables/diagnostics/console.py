@@ -1,17 +1,21 @@
 """The console's own page: the cost of its pictures, its use of the machine, and its own log."""
 
 from collections.abc import Iterator, Sequence
+from operator import itemgetter
 
 from msgspec import Struct
 
 from fleet_tui.text.language import N_, tr
-from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import milliseconds, size_text
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.table import LateRows, Row, Table
+from fleet_tui.view.tables.arrangement import RowArrangement, table_of
+from fleet_tui.view.tables.columns import UNBOUNDED, Column, FittedColumns, rows_of
+from fleet_tui.view.tables.table import Row, Table
 
 Spread = tuple[float, float, float]
 """Median, 95th percentile and maximum, in seconds."""
+Fact = tuple[str, str, StyleRole]
+"""Its name, what is shown of it, and how."""
 
 
 class OwnFacts(Struct, frozen=True):
@@ -38,7 +42,7 @@ def _spread(spread: Spread | None) -> str:
     return tr("{median}, 95 % within {most}, max {longest}", median=median, most=most, longest=longest)
 
 
-def _facts(facts: OwnFacts) -> Iterator[tuple[str, str, StyleRole]]:
+def _facts(facts: OwnFacts) -> Iterator[Fact]:
     over = facts.tick is not None and facts.tick[1] > facts.budget
     limit = milliseconds(facts.budget)
     budget = tr("  budget {limit} exceeded", limit=limit) if over else tr("  budget {limit}", limit=limit)
@@ -64,26 +68,29 @@ def _facts(facts: OwnFacts) -> Iterator[tuple[str, str, StyleRole]]:
     )
 
 
-def console_table(facts: OwnFacts, log: Sequence[str], wanted: str) -> Table:
-    """Return the facts, then the log, newest first, of the lines that contain `wanted`."""
-    above = [
-        Row(name, ((f"{tr(name):<10}", StyleRole.DIM), (text, role))) for name, text, role in _facts(facts)
-    ]
-    sought = wanted.casefold()
-    lines = [line for line in reversed(log) if sought in line.casefold()]
-    note = tr("log, newest first: {count} of {lines} lines", count=len(lines), lines=len(log))
-    if wanted:
-        note += tr(", matching {text}", text=wanted)
-    above.append(Row("log", ((f"── {sanitize(note)}", StyleRole.DIM),)))
+_FACTS: Sequence[Column[Fact]] = (
+    Column("", lambda fact: (tr(fact[0]), StyleRole.DIM), (9, 12)),
+    Column("", lambda fact: fact[1:], None),
+)
+_LOG: Sequence[Column[str]] = (Column(N_("line"), lambda line: (line, _role(line)), None, ""),)
 
-    def row(n: int) -> Row:
-        if n < len(above):
-            return above[n]
-        line = lines[n - len(above)]
-        return Row(id(line), ((sanitize(line), _role(line)),))
 
-    keys = [*(one.key for one in above), *map(id, lines)]
-    return Table(((tr("Console"), StyleRole.TITLE),), LateRows(keys, row))
+def console_table(
+    facts: OwnFacts, log: Sequence[str], width: int = UNBOUNDED, arrangement: RowArrangement | None = None
+) -> Table:
+    """Return the facts, then the log, newest first."""
+    own = tuple(_facts(facts))
+    above = rows_of(FittedColumns(_FACTS, own, width), own, itemgetter(0))
+    note = tr("log, newest first: {count} lines", count=len(log))
+    return table_of(
+        ((tr("Console"), StyleRole.TITLE),),
+        _LOG,
+        log[::-1],
+        id,
+        width,
+        arrangement=arrangement,
+        above=[*above, Row("log", ((f"── {note}", StyleRole.DIM),))],
+    )
 
 
 def _role(line: str) -> StyleRole:

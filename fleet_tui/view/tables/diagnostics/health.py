@@ -5,11 +5,11 @@ from collections.abc import Collection, Hashable, Iterator, Mapping, Sequence
 
 from fleet_tui.model.order import natural
 from fleet_tui.model.ros_logs import Health, PartDiagnosis
-from fleet_tui.text.language import tr, translate
+from fleet_tui.text.language import N_, tr, translate
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import ago
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.arrangement import table_of
+from fleet_tui.view.tables.arrangement import RowArrangement, table_of
 from fleet_tui.view.tables.columns import UNBOUNDED, Column
 from fleet_tui.view.tables.diagnostics.links import Links, down
 from fleet_tui.view.tables.table import Row, Run, Table
@@ -33,34 +33,29 @@ def _look(level: int) -> tuple[str, StyleRole]:
 
 
 def health_table(
-    links: Links, opened: Collection[Hashable], wanted: str, now: float, width: int = UNBOUNDED
+    links: Links,
+    opened: Collection[Hashable],
+    now: float,
+    width: int = UNBOUNDED,
+    arrangement: RowArrangement | None = None,
 ) -> Table:
     """Return the parts, the worst first; `opened` are the keys of rows whose values are shown."""
-    sought = wanted.casefold()
     parts = sorted(
-        (
-            ((link.name, part.name), part)
-            for link, counter in links
-            for part in counter.health.values()
-            if sought in f"{part.name} {part.message} {part.hardware}".casefold()
-        ),
+        (((link.name, part.name), part) for link, counter in links for part in counter.health.values()),
         key=lambda entry: (_BY_LEVEL.get(entry[1].level, 0), natural(entry[1].name)),
     )
     levels = Counter(_look(part.level)[0][2:] for _, part in parts if part.level != Health.OK)
     note = tr(" /diagnostics  {count} parts", count=len(parts))
     note += "".join(f", {count} {word}" for word, count in sorted(levels.items()))
-    note += tr(", matching {text}", text=sanitize(wanted)) if wanted else ""
     return table_of(
         ((tr("Robot diagnostics"), StyleRole.TITLE), (note, StyleRole.DIM), *down(links)),
         _columns(now),
         parts,
         _key,
         width,
+        arrangement=arrangement,
         below=lambda entry: _values(entry) if _key(entry) in opened else (),
-        empty=tr("no matching part")
-        if wanted
-        else tr("nothing received on /diagnostics (subscribed while this screen is open)"),
-        has_head=False,
+        empty=tr("nothing received on /diagnostics (subscribed while this screen is open)"),
     )
 
 
@@ -81,10 +76,11 @@ def _columns(now: float) -> Sequence[Column[Entry]]:
         return now - entry[1].at > OLD
 
     return (
-        Column("", level, (9, 12), ""),
-        Column("", lambda entry: (entry[1].name, StyleRole.TEXT), (6, 30), "", stays=True),
-        Column("", came, 16, "", is_right=True),
-        Column("", lambda entry: (entry[1].message, StyleRole.TEXT), None, ""),
+        Column(N_("level"), level, (9, 12), ""),
+        Column(N_("name"), lambda entry: entry[1].name, (6, 30), "", sorts=True, stays=True),
+        Column(N_("age"), came, 16, "", order=lambda entry: entry[1].at, is_right=True),
+        Column(N_("message"), lambda entry: entry[1].message, None, ""),
+        Column(N_("hardware"), text=lambda entry: entry[1].hardware),
     )
 
 

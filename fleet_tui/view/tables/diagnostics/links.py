@@ -2,6 +2,8 @@
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
+from operator import attrgetter
+from typing import NamedTuple
 
 from fleet_tui.model.counters import LinkCounter
 from fleet_tui.model.link import CommandPath, LinkState, Phase
@@ -12,7 +14,9 @@ from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import age, ago, duration, milliseconds, size_text
 from fleet_tui.view.history.bars import level
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.table import Row, Run, Table
+from fleet_tui.view.tables.arrangement import RowArrangement, table_of
+from fleet_tui.view.tables.columns import UNBOUNDED, Column
+from fleet_tui.view.tables.table import Run, Table
 
 Links = Sequence[tuple[LinkState, LinkCounter]]
 
@@ -37,17 +41,40 @@ def down(links: Links) -> tuple[Run, ...]:
     )
 
 
-def link_table(links: Links, now: float) -> Table:
+class ShownField(NamedTuple):
+    """A value of a link; that of the empty name is its address."""
+
+    link: LinkState
+    name: str
+    runs: tuple[Run, ...]
+
+    @property
+    def key(self) -> tuple[str, str]:
+        return self.link.name, self.name
+
+    @property
+    def head(self) -> Run:
+        return (f"  {tr(self.name)}", StyleRole.DIM) if self.name else (self.link.name, StyleRole.TITLE)
+
+
+_COLUMNS: Sequence[Column[ShownField]] = (
+    Column(N_("name"), lambda field: field.head, (10, 16), "", stays=True),
+    Column(N_("value"), lambda field: list(field.runs), None, ""),
+    Column(N_("link"), text=lambda field: field.link.name, is_apart=True),
+)
+
+
+def link_table(
+    links: Links, now: float, width: int = UNBOUNDED, arrangement: RowArrangement | None = None
+) -> Table:
     """Return all links, one below the other. `now` is monotonic."""
-    rows: list[Row] = []
-    for link, counter in links:
-        runs = (f"{sanitize(link.name)} ", StyleRole.TITLE), (sanitize(link.url), StyleRole.TEXT)
-        rows.append(Row((link.name, ""), runs))
-        rows += [
-            Row((link.name, name), ((f"  {tr(name):<14}", StyleRole.DIM), *runs))
-            for name, runs in _fields(link, counter, now)
-        ]
-    return Table(((tr("Link"), StyleRole.TITLE),), rows, tr("console starting"))
+    fields = [
+        ShownField(link, name, runs)
+        for link, counter in links
+        for name, runs in (("", ((link.url, StyleRole.TEXT),)), *_fields(link, counter, now))
+    ]
+    title, empty = ((tr("Link"), StyleRole.TITLE),), tr("console starting")
+    return table_of(title, _COLUMNS, fields, attrgetter("key"), width, arrangement=arrangement, empty=empty)
 
 
 def _fields(link: LinkState, counter: LinkCounter, now: float) -> Iterator[tuple[str, tuple[Run, ...]]]:

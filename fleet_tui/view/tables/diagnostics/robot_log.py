@@ -1,17 +1,15 @@
 """The log of the robots, newest last, filtered by level and text."""
 
-import re
 from collections.abc import Callable, Collection, Hashable, Iterable, Iterator, Sequence
-from textwrap import wrap
 
 from fleet_tui.model.counters import snapshot
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.ros_logs import LogLine, Severity
-from fleet_tui.text.language import Message, tr, translate
-from fleet_tui.text.sanitize import cell_width, sanitize
+from fleet_tui.text.language import N_, Message, tr, translate
+from fleet_tui.text.sanitize import cell_width, folded, sanitize
 from fleet_tui.text.units import ago
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.arrangement import table_of
+from fleet_tui.view.tables.arrangement import RowArrangement, table_of
 from fleet_tui.view.tables.columns import UNBOUNDED, Column
 from fleet_tui.view.tables.diagnostics.links import Links, down
 from fleet_tui.view.tables.table import Row, Run, Table
@@ -36,17 +34,6 @@ def lines_of(links: Links) -> tuple[LogLine, ...]:
     )
 
 
-def wanted_lines(lines: tuple[LogLine, ...], least: Severity, wanted: str) -> list[LogLine]:
-    """Return those of a level, and worse, that contain `wanted`: `robot_2` is not in `robot_22`. An unknown
-    level passes."""
-    sought = re.compile(re.escape(wanted) + (r"(?!\d)" if wanted[-1:].isdigit() else ""), re.IGNORECASE)
-    return [
-        line
-        for line in lines
-        if (line.severity or Severity.FATAL) >= least and sought.search(f"{line.node} {line.text}")
-    ]
-
-
 def _wall(line: LogLine, offset: float) -> float:
     return line.stamp if line.stamp is not None else line.at + offset
 
@@ -64,14 +51,8 @@ def _text(line: LogLine) -> Run:
 def _wrapped(line: LogLine, width: int) -> Iterator[str]:
     """Yield the whole message in lines of at most `width` cells."""
     for part in line.text.splitlines():
-        text = sanitize(part)
-        letters = width if cell_width(text) == len(text) else width // 2
-        yield from wrap(text, max(1, letters - INDENT), break_on_hyphens=False)
-
-
-def _filters(least: Severity, wanted: str) -> str:
-    worse = "" if least is Severity.FATAL else tr(" and worse")
-    return f"{least.name}{worse}" + (tr(", matching {text}", text=sanitize(wanted)) if wanted else "")
+        cells = max(2, width - INDENT)
+        yield from folded(sanitize(part), cells, cells)
 
 
 def robot_log_table(
@@ -80,13 +61,14 @@ def robot_log_table(
     state: FleetState,
     clock: Callable[[float], str],
     least: Severity,
-    wanted: str,
     opened: Collection[Hashable] = (),
-    width: int = 0,
+    width: int = UNBOUNDED,
+    arrangement: RowArrangement | None = None,
 ) -> Table:
-    """Return a row for each line, and below those `opened` their whole messages, wrapped to `width` cells.
-    `clock` formats Unix seconds as the time of day: the line's own, or that of its arrival."""
-    found = wanted_lines(lines, least, wanted)
+    """Return a row for each line of at least this level (an unknown one passes), and below those `opened`
+    their whole messages, wrapped to `width` cells. `clock` formats Unix seconds as the time of day: the
+    line's own, or that of its arrival."""
+    found = [line for line in lines if (line.severity or Severity.FATAL) >= least]
     offset = state.wall - state.now
 
     def whole(line: LogLine) -> Iterable[Row]:
@@ -95,15 +77,29 @@ def robot_log_table(
 
     time = cell_width(clock(state.wall))
     columns: Sequence[Column[LogLine]] = (
-        Column("", lambda line: (clock(_wall(line, offset)), StyleRole.DIM), time, "", stays=True),
-        Column("", _level, (7, 10), ""),
-        Column("", lambda line: (line.node, StyleRole.DIM), (4, 24), ""),
-        Column("", _text, None, ""),
+        Column(
+            N_("time"),
+            lambda line: (clock(_wall(line, offset)), StyleRole.DIM),
+            time,
+            "",
+            is_apart=True,
+            stays=True,
+        ),
+        Column(
+            N_("level"),
+            _level,
+            (7, 10),
+            "",
+            order=lambda line: -(line.severity or Severity.FATAL),
+            is_apart=True,
+        ),
+        Column(N_("node"), lambda line: (line.node, StyleRole.DIM), (4, 24), "", sorts=True),
+        Column(N_("text"), _text, None, ""),
     )
-    note = _filters(least, wanted) + (
-        tr(", last {ago}", ago=translate(ago(_wall(lines[-1], offset), state.wall))) if lines else ""
-    )
+    note = least.name if least is Severity.FATAL else least.name + tr(" and worse")
+    if lines:
+        note += tr(", last {ago}", ago=translate(ago(_wall(lines[-1], offset), state.wall)))
     counts = tr(" /rosout  {count} of {lines} lines, {note}", count=len(found), lines=len(lines), note=note)
     title = (tr("Robot log"), StyleRole.TITLE), (counts, StyleRole.DIM), *down(links)
     empty = tr("no matching line") if lines else translate(NOTHING)
-    return table_of(title, columns, found, id, width or UNBOUNDED, below=whole, empty=empty, has_head=False)
+    return table_of(title, columns, found, id, width, arrangement=arrangement, below=whole, empty=empty)

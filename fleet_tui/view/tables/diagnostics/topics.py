@@ -1,17 +1,18 @@
 """Every requested topic: its state, rate and age, and unreadable messages."""
 
+import math
 from collections.abc import Mapping, Sequence
+from operator import attrgetter
 from typing import NamedTuple
 
 from fleet_tui.model.counters import TopicCounter
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import LinkState, Phase
 from fleet_tui.situation.links import is_late
-from fleet_tui.text.language import tr, translate
-from fleet_tui.text.sanitize import sanitize
+from fleet_tui.text.language import N_, tr, translate
 from fleet_tui.text.units import ago, size_text
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.arrangement import table_of
+from fleet_tui.view.tables.arrangement import RowArrangement, table_of
 from fleet_tui.view.tables.columns import UNBOUNDED, Column
 from fleet_tui.view.tables.diagnostics.links import Links, down
 from fleet_tui.view.tables.table import Run, Table
@@ -28,11 +29,12 @@ Entry = tuple[LinkState, TopicCounter]
 
 
 class ShownTopic(NamedTuple):
-    """A topic with its state at one moment."""
+    """A topic with its state at one moment; `rates` are messages and bytes per second, None if unknown."""
 
     state: Run
     link: LinkState
     topic: TopicCounter
+    rates: tuple[float, float] | None
 
     @property
     def key(self) -> tuple[str, str]:
@@ -66,42 +68,38 @@ def _is_slow(topic: TopicCounter, now: float) -> bool:
     return bool(rates and topic.asked_ms and rates[0] < SLOW * 1000 / topic.asked_ms)
 
 
-def entries(state: FleetState, links: Links, wanted: str, selected: str = "") -> list[Entry]:
-    """Return the topics that contain `wanted`, those of the selected robot, then robot by robot in the order
-    of the config, then the others."""
+def entries(state: FleetState, links: Links, selected: str = "") -> list[Entry]:
+    """Return the topics of the selected robot, then robot by robot in the order of the config, then the
+    others."""
     first = {name: -1 for name in state.robots if name == selected}
     places: Mapping[str, int] = {robot: n for n, robot in enumerate(state.robots)} | first
-    found = [
-        (link, topic)
-        for link, counter in links
-        for topic in counter.topics.values()
-        if wanted.casefold() in topic.topic.casefold()
-    ]
+    found = [(link, topic) for link, counter in links for topic in counter.topics.values()]
     return sorted(found, key=lambda one: places.get(one[1].robot, len(places)))
 
 
 def topic_table(
-    state: FleetState, links: Links, wanted: str, now: float, selected: str = "", width: int = UNBOUNDED
+    state: FleetState,
+    links: Links,
+    now: float,
+    selected: str = "",
+    width: int = UNBOUNDED,
+    arrangement: RowArrangement | None = None,
 ) -> Table:
     """Return a row for each in `width` cells, those with problems first, then those of the selected robot;
     its key is link and topic."""
     topics = [
-        ShownTopic(topic_state(link, topic, now, _silent_after(state, topic)), link, topic)
-        for link, topic in entries(state, links, wanted, selected)
+        ShownTopic(topic_state(link, topic, now, _silent_after(state, topic)), link, topic, topic.rates(now))
+        for link, topic in entries(state, links, selected)
     ]
     late = tr("▲ late")
     topics.sort(key=lambda one: (_FIRST.get(one.state[1], len(_FIRST)), one.state[0] == late))
     trouble = sum(one.state[1] in (StyleRole.WARN, StyleRole.ALARM) for one in topics)
-    note = tr(" {topics}, {trouble} with problems", topics=len(topics), trouble=trouble) + (
-        tr(", matching {text}", text=sanitize(wanted)) if wanted else ""
-    )
+    note = tr(" {topics}, {trouble} with problems", topics=len(topics), trouble=trouble)
     title = (tr("Topics"), StyleRole.TITLE), (note, StyleRole.DIM), *down(links)
     if any(is_late(link) for link, _ in links):
         title = (*title, (tr(": lower the rates"), StyleRole.WARN))
-    empty = tr("no matching topic") if wanted else tr("console starting")
-    return table_of(
-        title, _columns(topics, now), topics, lambda one: (one.link.name, one.topic.topic), width, empty=empty
-    )
+    empty, columns = tr("console starting"), _columns(topics, now)
+    return table_of(title, columns, topics, attrgetter("key"), width, arrangement=arrangement, empty=empty)
 
 
 def _columns(topics: Sequence[ShownTopic], now: float) -> Sequence[Column[ShownTopic]]:
@@ -110,12 +108,10 @@ def _columns(topics: Sequence[ShownTopic], now: float) -> Sequence[Column[ShownT
         return translate(ago(one.topic.at, now)), StyleRole.WARN if is_odd else StyleRole.TEXT
 
     def rate(one: ShownTopic) -> Run:
-        rates = one.topic.rates(now)
-        return "" if rates is None else f"{rates[0]:.1f} Hz", StyleRole.TEXT
+        return "" if one.rates is None else f"{one.rates[0]:.1f} Hz", StyleRole.TEXT
 
     def size(one: ShownTopic) -> Run:
-        rates = one.topic.rates(now)
-        return "" if rates is None else f"{size_text(rates[1])}/s", StyleRole.DIM
+        return "" if one.rates is None else f"{size_text(one.rates[1])}/s", StyleRole.DIM
 
     def bad(one: ShownTopic) -> Run:
         return tr("{errors} bad", errors=f"{one.topic.errors:,}") if one.topic.errors else "", StyleRole.WARN
@@ -123,9 +119,6 @@ def _columns(topics: Sequence[ShownTopic], now: float) -> Sequence[Column[ShownT
     def why(one: ShownTopic) -> Run:
         topic = one.topic
         return topic.not_subscribed or (topic.bad.text if topic.bad is not None else ""), StyleRole.DIM
-
-    def name(one: ShownTopic) -> Run:
-        return one.topic.topic, StyleRole.TEXT
 
     def most(one: ShownTopic) -> Run:
         return asked_rate(one.topic.asked_ms), StyleRole.DIM
@@ -135,28 +128,38 @@ def _columns(topics: Sequence[ShownTopic], now: float) -> Sequence[Column[ShownT
 
     is_bad = any(one.topic.errors for one in topics)
     return (
-        Column("", lambda one: one.state, (16, 20), tr("State")),
-        Column("", last, 10, tr("Last"), is_right=True),
+        Column(N_("state"), lambda one: one.state, (16, 20), tr("State")),
+        Column(N_("age"), last, 10, tr("Last"), order=lambda one: one.topic.at or -math.inf, is_right=True),
         Column(
-            "",
-            lambda one: (one.topic.topic, StyleRole.TEXT),
+            N_("topic"),
+            lambda one: one.topic.topic,
             (LEAST, UNBOUNDED),
             tr("Topic"),
+            sorts=True,
             ends_differ=True,
         ),
-        Column("", rate, 8, tr("Rate"), is_right=True),
+        Column(
+            N_("rate"),
+            rate,
+            8,
+            tr("Rate"),
+            order=lambda one: -one.rates[0] if one.rates else 0.0,
+            is_right=True,
+        ),
         Column("", most, 8, tr("At most"), is_right=True),
         Column("", bad if is_bad else None, 7, "", is_right=True),
-        Column("", size, 9, tr("Bytes"), is_right=True, may_go=True),
         Column(
-            "",
-            lambda one: (f"{one.topic.count:,}", StyleRole.DIM),
-            8,
-            tr("Messages"),
+            N_("bytes"),
+            size,
+            9,
+            tr("Bytes"),
+            order=lambda one: -one.rates[1] if one.rates else 0.0,
             is_right=True,
             may_go=True,
         ),
-        Column("", why if any(why(one)[0] for one in topics) else None, None, "", may_go=True),
+        Column("", count, 8, tr("Messages"), is_right=True, may_go=True),
+        Column(N_("why"), why if any(why(one)[0] for one in topics) else None, None, "", may_go=True),
+        Column(N_("link"), text=lambda one: one.link.name, is_apart=True),
     )
 
 

@@ -5,6 +5,7 @@ import pytest
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.ros_logs import LogLine, Severity
 from fleet_tui.text.sanitize import cell_width
+from fleet_tui.view.tables.arrangement import RowArrangement
 from fleet_tui.view.tables.diagnostics.links import Links
 from fleet_tui.view.tables.diagnostics.robot_log import lines_of, robot_log_table
 from tests.support.diagnostics import counter, seen, text
@@ -28,7 +29,10 @@ def logged() -> tuple[FleetState, Links]:
 
 def log(least: Severity = Severity.DEBUG, wanted: str = "") -> list[str]:
     state, links = logged()
-    return text(robot_log_table(lines_of(links), links, state, lambda wall: f"<{wall:.0f}>", least, wanted))
+    arrangement = RowArrangement()
+    arrangement.typed = wanted
+    shown = lines_of(links), links, state, lambda wall: f"<{wall:.0f}>", least
+    return text(robot_log_table(*shown, arrangement=arrangement))
 
 
 def test_the_log_tells_when_how_serious_who_and_what() -> None:
@@ -53,12 +57,12 @@ def test_the_log_tells_when_how_serious_who_and_what() -> None:
 )
 def test_level_and_text_filter_the_log(least: Severity, wanted: str, count: int) -> None:
     title, *lines = log(least, wanted)
-    assert len(lines) == count and f"{count} of 5 lines" in title
+    assert len(lines) == count and (f"/{wanted}: {count}" if wanted else f"{count} of 5 lines") in title
 
 
 def test_an_empty_log_says_why_it_is_empty() -> None:
     state, links = seen(counter())
-    assert "nothing received on /rosout" in robot_log_table((), links, state, str, Severity.INFO, "").empty
+    assert "nothing received on /rosout" in robot_log_table((), links, state, str, Severity.INFO).empty
 
 
 def whole(text_of_line: str, width: int) -> list[str]:
@@ -68,7 +72,7 @@ def whole(text_of_line: str, width: int) -> list[str]:
     state, links = seen(link)
     lines = lines_of(links)
     opened = {id(line) for line in lines}
-    table = robot_log_table(lines, links, state, lambda _: "12:00", Severity.DEBUG, "", opened, width)
+    table = robot_log_table(lines, links, state, lambda _: "12:00", Severity.DEBUG, opened, width)
     assert len(set(table.keys)) == len(table.rows)
     return [row.rstrip("\n") for row in text(table)[2:]]
 
@@ -85,5 +89,5 @@ def test_an_opened_line_is_followed_by_its_whole_message_within_the_width() -> N
 def test_lines_that_are_not_opened_have_one_row_each() -> None:
     state, links = logged()
     lines = lines_of(links)
-    table = robot_log_table(lines, links, state, str, Severity.DEBUG, "", {id(lines[1])}, 76)
+    table = robot_log_table(lines, links, state, str, Severity.DEBUG, {id(lines[1])}, 76)
     assert len(table.rows) == len(LOG) + 1 and table.rows[2].key == (id(lines[1]), 0)
