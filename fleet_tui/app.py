@@ -126,7 +126,7 @@ class FleetApp(LeanApp, inherit_bindings=False):
 
     async def _mount_rest(self) -> None:
         """Mount the map, and the overlays."""
-        await self.main.mount_rest()
+        await self.main.mount_features()
         self.use_theme(self.config.ui.theme)
         self.main.tick()
 
@@ -151,7 +151,7 @@ class FleetApp(LeanApp, inherit_bindings=False):
     async def on_key_released(self, released: KeyReleased) -> None:
         """Stop what drives only while its key is held."""
         if self.main.is_complete:
-            await self.keys.then(partial(self.main.rest.release_key, released.key))
+            await self.keys.then(partial(self.main.features.release_key, released.key))
 
     def on_unmount(self) -> None:
         """Close the connections before the loop goes."""

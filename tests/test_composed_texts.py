@@ -59,7 +59,7 @@ def test_a_facility_with_its_state() -> None:
 
 async def test_a_question(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 2)) as it:
-        it.app.main.rest.confirm.ask(lambda: Message("Send?"), lambda: None)
+        it.app.main.features.confirm.ask(lambda: Message("Send?"), lambda: None)
         await it.shows("Senden?")
 
 

@@ -2,20 +2,17 @@
 
 import math
 import time
-from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterator, Sequence
 from functools import partial
 
-from fleet_tui.backend import Backend
-from fleet_tui.controllers.navigation import Navigation
-from fleet_tui.controllers.notices import Notices
-from fleet_tui.controllers.typed import Entry, OpenMenu
+from fleet_tui.controllers.console import Console
+from fleet_tui.controllers.typed import Entry
 from fleet_tui.model.alarm import Alarm, AlarmStage, Key
 from fleet_tui.model.desk.events import AlarmAcknowledged, AlarmShelved, AlarmUnshelved
 from fleet_tui.model.events import Event
 from fleet_tui.rules.alarms.classes import action_of
 from fleet_tui.rules.routes.charging import way_to_charger
 from fleet_tui.rules.sites import of_site, sites_of
-from fleet_tui.state.store import Store
 from fleet_tui.text.language import Message, counted, joined, translate
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import age
@@ -33,33 +30,27 @@ class AlarmResponses:
 
     def __init__(
         self,
-        store: Store,
-        backend: Backend,
-        notices: Notices,
-        navigation: Navigation,
+        console: Console,
         *,
         pane: RowsPane,
-        open_menu: OpenMenu,
         why: Callable[[], None],
         robot_menu: Callable[[str], None],
         charge: Callable[[str], None],
-        keys: Mapping[str, tuple[str, ...]],
-        clock: Callable[[float], str],
         cleared_at: Callable[[], float] = lambda: -math.inf,
     ) -> None:
         """`charge` opens the order of a robot to a charger; `cleared_at`: when the alarm under the cursor
         went by itself last (monotonic)."""
-        self._store = store
-        self._backend = backend
-        self._notices = notices
-        self._navigation = navigation
+        self._store = console.store
+        self._backend = console.backend
+        self._notices = console.notices
+        self._navigation = console.navigation
         self._pane = pane
-        self._open_menu = open_menu
+        self._open_menu = console.open_menu
         self._why = why
         self._robot_menu = robot_menu
         self._charge = charge
-        self._keys = keys
-        self._clock = clock
+        self._keys = console.settings.keys
+        self._clock = console.settings.clock
         self._cleared_at = cleared_at
 
     def _post(self, event: Event) -> bool:

@@ -5,7 +5,8 @@ from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
-from fleet_tui.controllers.files import ConsoleFiles, Pack
+from fleet_tui.controllers.console import Console
+from fleet_tui.controllers.files import Pack
 from fleet_tui.text.language import Message
 from fleet_tui.text.units import size_text
 
@@ -19,16 +20,14 @@ class IncidentPacking:
 
     def __init__(
         self,
-        files: ConsoleFiles,
-        say: Callable[[Message], None],
-        say_from_thread: Callable[[Message], None],
+        console: Console,
         screenshot: Callable[[], str],
         in_thread: Callable[[Callable[[Cancelled], None]], object],
     ) -> None:
         """`in_thread` runs a function, passing it a check for cancellation."""
-        self._files = files
-        self._say = say
-        self._say_from_thread = say_from_thread
+        self._files = console.files
+        self._say = console.notices.say
+        self._say_from_thread = console.say_from_thread
         self._screenshot = screenshot
         self._in_thread = in_thread
         self._packing = False

@@ -5,18 +5,15 @@ from collections.abc import Callable, Iterator
 from functools import partial
 from typing import Any, NamedTuple
 
-from fleet_tui.controllers.dispatch import Dispatch
-from fleet_tui.controllers.navigation import Navigation
+from fleet_tui.controllers.console import Console
 from fleet_tui.controllers.save import SaveCommand
 from fleet_tui.controllers.session import ConsoleSession
-from fleet_tui.controllers.settings import ConsoleSettings
 from fleet_tui.controllers.typed import Typed, typed
 from fleet_tui.errors import did_you_mean
 from fleet_tui.keys import KEYS, Key, Pane, outdone
 from fleet_tui.keys.key import key_name
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.rules.sites import robots_at, sites_of
-from fleet_tui.state.store import Store
 from fleet_tui.text.language import EMPTY, Message, tr, translate
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.help.synonyms import SYNONYMS
@@ -67,21 +64,14 @@ class Offers:
     """Lists the possible actions, and parses typed text; `run` runs the action of a key."""
 
     def __init__(
-        self,
-        store: Store,
-        dispatch: Dispatch,
-        navigation: Navigation,
-        session: ConsoleSession,
-        save: SaveCommand,
-        settings: ConsoleSettings,
-        run: Callable[[Key[Any]], object],
+        self, console: Console, session: ConsoleSession, save: SaveCommand, run: Callable[[Key[Any]], object]
     ) -> None:
-        self._store = store
-        self._dispatch = dispatch
-        self._navigation = navigation
+        self._store = console.store
+        self._dispatch = console.dispatch
+        self._navigation = console.navigation
         self._session = session
         self._save = save
-        self._settings = settings
+        self._settings = console.settings
         self._run = run
 
     def entries(self) -> Iterator[Offer]:

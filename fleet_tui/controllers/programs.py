@@ -7,10 +7,8 @@ from collections.abc import Callable
 from datetime import datetime
 from functools import partial
 
-from fleet_tui.controllers.dispatch import Ask, Dispatch
-from fleet_tui.controllers.files import ConsoleFiles
-from fleet_tui.controllers.notices import Notices
-from fleet_tui.controllers.typed import Entry, OpenMenu
+from fleet_tui.controllers.console import Console
+from fleet_tui.controllers.typed import Entry
 from fleet_tui.model.problem import Right
 from fleet_tui.model.programs.program import NOT_CONFIRMED, ChangeOutcome, ProgramState
 from fleet_tui.programs.change import VERBS, change
@@ -37,21 +35,13 @@ def since_text(wall: float) -> str:
 class ProgramRequests:
     """Opens a program's menu, and carries out what is chosen."""
 
-    def __init__(
-        self,
-        watch: ProgramWatch,
-        dispatch: Dispatch,
-        notices: Notices,
-        files: ConsoleFiles,
-        ask: Ask,
-        open_menu: OpenMenu,
-    ) -> None:
+    def __init__(self, watch: ProgramWatch, console: Console) -> None:
         self._watch = watch
-        self._dispatch = dispatch
-        self._notices = notices
-        self._files = files
-        self._ask = ask
-        self._open_menu = open_menu
+        self._dispatch = console.dispatch
+        self._notices = console.notices
+        self._files = console.files
+        self._ask = console.ask
+        self._open_menu = console.open_menu
         self.under_way: set[asyncio.Task[None]] = set()
 
     def menu(self, name: str, show_log: Callable[[str], None]) -> None:

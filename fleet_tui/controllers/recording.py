@@ -4,7 +4,7 @@ import logging
 from collections.abc import Callable
 from pathlib import Path
 
-from fleet_tui.controllers.files import ConsoleFiles
+from fleet_tui.controllers.console import Console
 from fleet_tui.errors import FleetError
 from fleet_tui.text.language import Message
 
@@ -14,16 +14,10 @@ LOG = logging.getLogger(__name__)
 class RecordingSwitch:
     """Works in a thread, as a disk may be slow."""
 
-    def __init__(
-        self,
-        files: ConsoleFiles,
-        say: Callable[[Message], None],
-        say_from_thread: Callable[[Message], None],
-        in_thread: Callable[[Callable[[], None]], object],
-    ) -> None:
-        self._files = files
-        self._say = say
-        self._say_from_thread = say_from_thread
+    def __init__(self, console: Console, in_thread: Callable[[Callable[[], None]], object]) -> None:
+        self._files = console.files
+        self._say = console.notices.say
+        self._say_from_thread = console.say_from_thread
         self._in_thread = in_thread
         self._switching = False
 

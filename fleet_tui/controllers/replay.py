@@ -5,7 +5,8 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from fleet_tui.actions.panes import PlayerActions
-from fleet_tui.controllers.session import Headline, SessionParts
+from fleet_tui.controllers.console import Console
+from fleet_tui.controllers.session import Headline
 from fleet_tui.controllers.typed import Typed
 from fleet_tui.errors import FleetError
 from fleet_tui.keys import Key, Pane
@@ -27,11 +28,11 @@ class Replay:
     panes: tuple[Pane, ...] = (Pane.RECORDING, Pane.CONSOLE)
     pane: Pane | None = Pane.RECORDING
 
-    def __init__(self, player: "Player", parts: SessionParts) -> None:
+    def __init__(self, player: "Player", console: Console, forget_trails: Callable[[], bool]) -> None:
         self._player = player
-        self._notices = parts.notices
-        self._clock = parts.settings.clock
-        self._forget_trails = parts.forget_trails
+        self._notices = console.notices
+        self._clock = console.settings.clock
+        self._forget_trails = forget_trails
         self._jumps = 0
         self._time_line: TimeLine | None = None
 

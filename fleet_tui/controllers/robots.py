@@ -1,14 +1,12 @@
 """Requests to robots beside orders: pause and resume, and the menu of a robot."""
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from functools import partial
 
-from fleet_tui.controllers.dispatch import Dispatch
-from fleet_tui.controllers.navigation import Navigation
-from fleet_tui.controllers.notices import Notices
+from fleet_tui.controllers.console import Console
 from fleet_tui.controllers.ordering.orders import OrderRequests
 from fleet_tui.controllers.tables.marked import MarkedCommands
-from fleet_tui.controllers.typed import Entry, OpenMenu
+from fleet_tui.controllers.typed import Entry
 from fleet_tui.keys.key import key_name
 from fleet_tui.model import kind
 from fleet_tui.model.commands import ClearOrders, PauseRobot, ResumeRobot
@@ -16,7 +14,6 @@ from fleet_tui.model.problem import Right
 from fleet_tui.model.request import Request
 from fleet_tui.rules.alarms.trouble import needs_a_look
 from fleet_tui.rules.routes.charging import way_to_charger
-from fleet_tui.state.store import Store
 from fleet_tui.text.language import Message, verbatim
 from fleet_tui.text.sanitize import sanitize
 
@@ -27,28 +24,23 @@ class RobotRequests:
 
     def __init__(
         self,
-        store: Store,
-        dispatch: Dispatch,
-        notices: Notices,
-        navigation: Navigation,
+        console: Console,
         *,
         orders: OrderRequests,
-        open_menu: OpenMenu,
         why: Callable[[], None],
         alarm_menu: Callable[[str, str], None],
         marked: MarkedCommands,
-        keys: Mapping[str, tuple[str, ...]],
     ) -> None:
-        self._store = store
-        self._dispatch = dispatch
-        self._notices = notices
-        self._navigation = navigation
+        self._store = console.store
+        self._dispatch = console.dispatch
+        self._notices = console.notices
+        self._navigation = console.navigation
         self._orders = orders
-        self._open_menu = open_menu
+        self._open_menu = console.open_menu
         self._why = why
         self._alarm_menu = alarm_menu
         self._marked = marked
-        self._keys = keys
+        self._keys = console.settings.keys
 
     def pause(self) -> None:
         """Pause the selected robot, or all marked ones, at once."""

@@ -1,13 +1,11 @@
 """The `:save [FILE]` command: the configuration of this console as a file."""
 
-from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
 from fleet_tui.config.saving import USUAL, Saving
 from fleet_tui.config.schema import expanded
-from fleet_tui.controllers.dispatch import Ask
-from fleet_tui.controllers.files import ConsoleFiles
+from fleet_tui.controllers.console import Console
 from fleet_tui.controllers.typed import Typed
 from fleet_tui.errors import FleetError
 from fleet_tui.text.language import EMPTY, Message
@@ -19,13 +17,11 @@ WORD = "save"
 class SaveCommand:
     """Writes a file, asking before it overwrites; `begin` opens the palette with a line."""
 
-    def __init__(
-        self, files: ConsoleFiles, ask: Ask, begin: Callable[[str], None], say: Callable[[Message], None]
-    ) -> None:
-        self._files = files
-        self._ask = ask
-        self._begin = begin
-        self._say = say
+    def __init__(self, console: Console) -> None:
+        self._files = console.files
+        self._ask = console.ask
+        self._begin = console.begin
+        self._say = console.notices.say
 
     def start(self) -> None:
         """Ask for a path if the configuration is in no file yet."""

@@ -2,13 +2,10 @@
 
 import time
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 from fleet_tui.actions.panes import PlayerActions
-from fleet_tui.controllers.dispatch import Dispatch
-from fleet_tui.controllers.files import ConsoleFiles
-from fleet_tui.controllers.notices import Notices
-from fleet_tui.controllers.settings import ConsoleSettings
+from fleet_tui.controllers.console import Console
 from fleet_tui.keys import Key, Pane
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import Phase
@@ -23,17 +20,6 @@ if TYPE_CHECKING:
 
 Headline = tuple[tuple[Run, ...], tuple[Run, ...]]
 """The line that is always visible: its left and its right end."""
-
-
-class SessionParts(NamedTuple):
-    """The parts of a console that its session uses."""
-
-    dispatch: Dispatch
-    notices: Notices
-    files: ConsoleFiles
-    settings: ConsoleSettings
-    forget_trails: Callable[[], bool]
-    """Clears the trails of the map; returns False while there is no map."""
 
 
 class ConsoleSession(Protocol):
@@ -63,7 +49,8 @@ class ConsoleSession(Protocol):
         """Go to the time of cell `x` of a time line `width` cells wide."""
 
 
-OpenSession = Callable[[SessionParts], ConsoleSession]
+OpenSession = Callable[[Console, Callable[[], bool]], ConsoleSession]
+"""From a console, and what clears the trails of its map, or returns False while there is no map."""
 
 
 class LiveSession:
@@ -72,8 +59,8 @@ class LiveSession:
     panes: tuple[Pane, ...] = (Pane.CONSOLE,)
     pane: Pane | None = None
 
-    def __init__(self, parts: SessionParts) -> None:
-        self._parts = parts
+    def __init__(self, console: Console, _forget_trails: Callable[[], bool]) -> None:
+        self._console = console
 
     def offers(self, key: Key[Any]) -> bool:
         """Leave out the keys of recordings."""
@@ -81,7 +68,8 @@ class LiveSession:
 
     def headline(self, state: FleetState, robot: str, width: int) -> Headline:
         """Return the state of this console and of the link, and the console in command."""
-        may, files, settings = self._parts.dispatch.permissions, self._parts.files, self._parts.settings
+        may, files = self._console.dispatch.permissions, self._console.files
+        settings = self._console.settings
         kept = list(map(translate, files.notes()))
         notes = console_notes(state, may.read_only, may.armed, time.monotonic() - state.now)
         runs = status_line(state, robot, notes, kept=kept, width=width)

@@ -8,7 +8,6 @@ PLAIN: tuple[Key[Actions], ...] = (
     Key(
         "next_robot_plain",
         (".",),
-        lambda do: do.view.step_robot(1),
         Message("Next robot"),
         hint=Message("robot"),
         only_live=True,
@@ -18,7 +17,6 @@ PLAIN: tuple[Key[Actions], ...] = (
     Key(
         "previous_robot_plain",
         (",",),
-        lambda do: do.view.step_robot(-1),
         Message("Previous robot"),
         only_live=True,
         helps="stays",
@@ -27,7 +25,6 @@ PLAIN: tuple[Key[Actions], ...] = (
     Key(
         "next_floor_plain",
         (">",),
-        lambda do: do.view.step_floor(1),
         Message("Next floor"),
         hint=Message("floor"),
         only_live=True,
@@ -36,7 +33,6 @@ PLAIN: tuple[Key[Actions], ...] = (
     Key(
         "previous_floor_plain",
         ("<",),
-        lambda do: do.view.step_floor(-1),
         Message("Previous floor"),
         only_live=True,
         instead_of="previous_floor",
@@ -48,57 +44,49 @@ TOOLS: tuple[Key[Actions], ...] = (
     Key(
         "diagnostics",
         ("d",),
-        lambda do: do.view.diagnostics(),
         Message("Open diagnostics: links, topics, raw messages, logs"),
         helps="leaves",
     ),
-    Key("record", (), lambda do: do.files.record(), Message("Record: start or stop a recording")),
+    Key("record", (), Message("Record: start or stop a recording")),
     Key(
         "audit",
         ("L",),
-        lambda do: do.view.audit(),
         Message("Open the audit log: all commands and alarms with their outcome"),
     ),
     Key(
         "history",
         ("H",),
-        lambda do: do.view.history(),
         Message("History of the shift: events, robots, batteries, alarms, places"),
         only_live=True,
     ),
     Key(
         "programs",
         ("J",),
-        lambda do: do.view.programs(),
         Message("Programs of the robot servers: state, start, stop, restart, log"),
         only_live=True,
     ),
     Key(
         "routines",
         ("B",),
-        lambda do: do.view.routines(),
         Message("Routines: list, start, pause, resume, stop, progress"),
         only_live=True,
     ),
     Key(
-        "desk", (), lambda do: do.view.desk(), Message("Desk: consoles, claims, closed edges"), only_live=True
+        "desk", (), Message("Desk: consoles, claims, closed edges"), only_live=True
     ),
     Key(
         "facilities",
         ("K",),
-        lambda do: do.view.facilities(),
         Message("Facilities: lifts, doors, dispensers, closed lanes"),
     ),
     Key(
         "bundle",
         ("b",),
-        lambda do: do.files.bundle(),
         Message("Write an incident bundle: recording, log and doctor report"),
     ),
     Key(
         "save",
         (),
-        lambda do: do.files.save(),
         Message("Save: write the configuration of this console to a file"),
     ),
 )
@@ -108,7 +96,6 @@ def _robot(number: int) -> Key[Actions]:
     return Key(
         f"robot_{number}",
         (str(number),),
-        lambda do: do.view.choose_robot(number),
         Message("Select the robot with number {number}", number=number),
         helps="stays",
     )
@@ -118,7 +105,6 @@ CONSOLE: tuple[Key[Actions], ...] = (
     Key(
         "help",
         ("?",),
-        lambda do: do.view.help(),
         Message("Show help: tasks, keys, legend, searchable"),
         hint=Message("help"),
         always=True,
@@ -126,7 +112,6 @@ CONSOLE: tuple[Key[Actions], ...] = (
     Key(
         "help_anywhere",
         ("f1",),
-        lambda do: do.view.help(),
         Message("Show help, also while typing"),
         pane=Pane.ANYWHERE,
         hint=Message("help"),
@@ -135,7 +120,6 @@ CONSOLE: tuple[Key[Actions], ...] = (
     Key(
         "palette",
         (":", "ctrl+p"),
-        lambda do: do.view.palette(),
         Message("Open the command palette: actions, robots, vertices, floors"),
         hint=Message("command"),
         in_palette=False,
@@ -144,7 +128,6 @@ CONSOLE: tuple[Key[Actions], ...] = (
     Key(
         "order",
         ("o",),
-        lambda do: do.commands.order(),
         Message("Open the order form for the selected robot"),
         hint=Message("order"),
         needs="order",
@@ -154,7 +137,6 @@ CONSOLE: tuple[Key[Actions], ...] = (
     Key(
         "pause",
         ("p",),
-        lambda do: do.commands.pause(),
         Message("Pause the selected robot immediately"),
         hint=Message("pause"),
         needs="pause",
@@ -164,7 +146,6 @@ CONSOLE: tuple[Key[Actions], ...] = (
     Key(
         "resume",
         ("r",),
-        lambda do: do.commands.resume(),
         Message("Resume the selected robot immediately"),
         hint=Message("resume"),
         needs="resume",
@@ -174,7 +155,6 @@ CONSOLE: tuple[Key[Actions], ...] = (
     Key(
         "pause_all",
         ("P",),
-        lambda do: do.commands.pause_all(),
         Message("Pause all robots immediately. Not a safety device"),
         hint=Message("pause all"),
         needs="pause",
@@ -186,7 +166,6 @@ CONSOLE: tuple[Key[Actions], ...] = (
     Key(
         "pause_all_anywhere",
         ("f12",),
-        lambda do: do.commands.pause_all(),
         Message("Pause all robots, also while typing. Not a safety device"),
         pane=Pane.ANYWHERE,
         hint=Message("pause all"),
@@ -198,7 +177,6 @@ CONSOLE: tuple[Key[Actions], ...] = (
     Key(
         "resume_all",
         ("R",),
-        lambda do: do.commands.resume_all(),
         Message("Resume all paused robots (asks first)"),
         hint=Message("resume all"),
         needs="resume",
@@ -209,7 +187,6 @@ CONSOLE: tuple[Key[Actions], ...] = (
     Key(
         "why",
         ("w",),
-        lambda do: do.view.why(),
         Message("Explain why the selected robot is not moving"),
         hint=Message("why"),
         helps="leaves",
@@ -217,7 +194,6 @@ CONSOLE: tuple[Key[Actions], ...] = (
     Key(
         "next_trouble",
         ("!",),
-        lambda do: do.view.next_trouble(),
         Message("Go to the next robot in trouble, those with an alarm first"),
         hint=Message("look"),
         helps="stays",
@@ -225,7 +201,6 @@ CONSOLE: tuple[Key[Actions], ...] = (
     Key(
         "acknowledge",
         ("a",),
-        lambda do: do.alarms.acknowledge(),
         Message("Acknowledge the alarm under the cursor"),
         hint=Message("ack"),
         helps="stays",
@@ -233,7 +208,6 @@ CONSOLE: tuple[Key[Actions], ...] = (
     Key(
         "cancel",
         ("x",),
-        lambda do: do.commands.cancel(),
         Message("Cancel the order at the queue cursor (asks first)"),
         hint=Message("cancel"),
         needs="cancel",
@@ -243,7 +217,6 @@ CONSOLE: tuple[Key[Actions], ...] = (
     Key(
         "clear",
         ("X",),
-        lambda do: do.commands.clear(),
         Message("Clear all orders of the selected robot (asks first)"),
         hint=Message("clear"),
         needs="clear",
@@ -253,7 +226,6 @@ CONSOLE: tuple[Key[Actions], ...] = (
     Key(
         "charge",
         ("C",),
-        lambda do: do.commands.charge(),
         Message("Send the selected robot to the nearest charger (asks first)"),
         hint=Message("charge"),
         needs="order",
@@ -263,7 +235,6 @@ CONSOLE: tuple[Key[Actions], ...] = (
     Key(
         "robot_page",
         ("i",),
-        lambda do: do.view.robot_page(),
         Message("Open the robot's page: values, battery curve, route, orders, alarms"),
         hint=Message("page"),
         helps="leaves",
@@ -271,7 +242,6 @@ CONSOLE: tuple[Key[Actions], ...] = (
     Key(
         "all_orders",
         ("*",),
-        lambda do: do.view.all_orders(),
         Message("Toggle the queue: selected robot or all robots"),
         hint=Message("all orders"),
         of_any=True,
@@ -280,52 +250,47 @@ CONSOLE: tuple[Key[Actions], ...] = (
     Key(
         "next_robot",
         ("]",),
-        lambda do: do.view.step_robot(1),
         Message("Next robot"),
         hint=Message("robot"),
         helps="stays",
     ),
     Key(
-        "previous_robot", ("[",), lambda do: do.view.step_robot(-1), Message("Previous robot"), helps="stays"
+        "previous_robot", ("[",), Message("Previous robot"), helps="stays"
     ),
     *PLAIN,
     *map(_robot, range(1, 10)),
-    Key("next_floor", ("}",), lambda do: do.view.step_floor(1), Message("Next floor"), hint=Message("floor")),
-    Key("previous_floor", ("{",), lambda do: do.view.step_floor(-1), Message("Previous floor")),
-    Key("suspend", ("ctrl+z",), lambda do: do.app.suspend(), Message("Suspend to the shell; fg returns")),
+    Key("next_floor", ("}",), Message("Next floor"), hint=Message("floor")),
+    Key("previous_floor", ("{",), Message("Previous floor")),
+    Key("suspend", ("ctrl+z",), Message("Suspend to the shell; fg returns")),
     Key(
-        "repaint", ("ctrl+l",), lambda do: do.app.repaint(), Message("Redraw the screen"), pane=Pane.ANYWHERE
+        "repaint", ("ctrl+l",), Message("Redraw the screen"), pane=Pane.ANYWHERE
     ),
-    Key("quit", ("q",), lambda do: do.app.quit(), Message("Quit"), hint=Message("quit"), always=True),
+    Key("quit", ("q",), Message("Quit"), hint=Message("quit"), always=True),
     Key(
         "say_quit",
         ("ctrl+c", "ctrl+q"),
-        lambda do: do.app.say_quit(),
         Message("Show which key quits; sends no command"),
         pane=Pane.ANYWHERE,
         in_palette=False,
         yields=True,
     ),
-    Key("back", ("escape",), lambda do: do.app.back(), Message("Go back one level"), in_palette=False),
+    Key("back", ("escape",), Message("Go back one level"), in_palette=False),
     Key(
         "enlarge",
         ("=",),
-        lambda do: do.view.enlarge(),
         Message("Enlarge the focused pane to the whole column, or restore it"),
         hint=Message("enlarge"),
     ),
-    Key("next_pane", ("tab",), lambda do: do.app.next_pane(), Message("Next pane"), in_palette=False),
+    Key("next_pane", ("tab",), Message("Next pane"), in_palette=False),
     Key(
         "previous_pane",
         ("shift+tab",),
-        lambda do: do.app.previous_pane(),
         Message("Previous pane"),
         in_palette=False,
     ),
     Key(
         "simple",
         ("s",),
-        lambda do: do.view.simple(),
         Message("Toggle the simple interface: robot, from, to, send"),
         hint=Message("simple"),
         needs="order",
@@ -334,15 +299,13 @@ CONSOLE: tuple[Key[Actions], ...] = (
     Key(
         "arm",
         (),
-        lambda do: do.commands.arm(),
         Message("Arm: allow or block commands from this console"),
         only_live=True,
     ),
-    Key("acknowledge_all", ("A",), lambda do: do.alarms.acknowledge_all(), Message("Acknowledge all alarms")),
+    Key("acknowledge_all", ("A",), Message("Acknowledge all alarms")),
     Key(
         "alarm_menu",
         (),
-        lambda do: do.alarms.alarm_menu(),
         Message("Open the marked alarm's menu: explain, acknowledge, shelve, unshelve"),
     ),
 )

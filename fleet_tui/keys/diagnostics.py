@@ -52,54 +52,47 @@ DIAGNOSTICS: tuple[Key[DiagnosticsActions], ...] = (
         Key(
             f"page_{name.lower()}",
             (str(n),),
-            _page(n),
             Message("Page {n}: {text}", n=n, text=page.text),
             pane=Pane.DIAGNOSTICS,
         )
         for n, (name, page) in enumerate(PAGES.items(), 1)
     ),
-    Key("next_page", ("tab",), lambda do: do.step_page(1), Message("Next page"), pane=Pane.DIAGNOSTICS),
+    Key("next_page", ("tab",), Message("Next page"), pane=Pane.DIAGNOSTICS),
     Key(
         "previous_page",
         ("shift+tab",),
-        lambda do: do.step_page(-1),
         Message("Previous page"),
         pane=Pane.DIAGNOSTICS,
     ),
     Key(
         "filter",
         ("/",),
-        lambda do: do.filter(),
         Message("Filter the rows by text; Enter or Esc leaves the field"),
         pane=Pane.DIAGNOSTICS,
     ),
     Key(
         "freeze",
         ("space", "f"),
-        lambda do: do.freeze(),
         Message("Freeze or resume the message or the robot log"),
         pane=Pane.DIAGNOSTICS,
     ),
     Key(
         "copy",
         ("y",),
-        lambda do: do.copy(),
         Message("Copy the message or the row to the clipboard (OSC 52)"),
         pane=Pane.DIAGNOSTICS,
     ),
     Key(
         "level",
         ("v",),
-        lambda do: do.next_level(),
         Message("Change the lowest level shown in the robot log"),
         pane=Pane.DIAGNOSTICS,
     ),
     Key(
         "bad",
         ("b",),
-        lambda do: do.show_bad(),
         Message("Toggle the raw message: last or last bad"),
         pane=Pane.DIAGNOSTICS,
     ),
-    Key("leave", ("escape", "q"), lambda do: do.leave(), Message("Go back one level"), pane=Pane.DIAGNOSTICS),
+    Key("leave", ("escape", "q"), Message("Go back one level"), pane=Pane.DIAGNOSTICS),
 )

@@ -42,7 +42,6 @@ def _drive(
     return Key(
         f"drive_{name}",
         keys,
-        lambda actions: do(actions.drive),
         text,
         pane=Pane.DRIVE,
         hint=hint,
@@ -55,28 +54,26 @@ DRIVE: tuple[Key[Actions], ...] = (
     Key(
         "drive",
         ("T",),
-        lambda do: do.drive.start(),
         Message("Drive the selected robot by hand. Not an emergency stop"),
         needs="drive",
         commands=True,
         sets_up=True,
         only_live=True,
     ),
-    _drive("ahead", ("w",), lambda do: do.press("w"), Message("Ahead, while held"), Message("ahead")),
-    _drive("back", ("s",), lambda do: do.press("s"), Message("Back, while held"), Message("back")),
-    _drive("left", ("a",), lambda do: do.press("a"), Message("Turn left, while held"), Message("left")),
-    _drive("right", ("d",), lambda do: do.press("d"), Message("Turn right, while held"), Message("right")),
+    _drive("ahead", ("w",), Message("Ahead, while held"), Message("ahead")),
+    _drive("back", ("s",), Message("Back, while held"), Message("back")),
+    _drive("left", ("a",), Message("Turn left, while held"), Message("left")),
+    _drive("right", ("d",), Message("Turn right, while held"), Message("right")),
     _drive(
         "leave",
         ("escape",),
-        lambda do: do.leave(),
         Message("Stop and leave; any other key stops"),
         Message("leave"),
     ),
-    _drive("sideways_left", ("q",), lambda do: do.press("q"), Message("Sideways to the left, if it can")),
-    _drive("sideways_right", ("e",), lambda do: do.press("e"), Message("Sideways to the right, if it can")),
+    _drive("sideways_left", ("q",), Message("Sideways to the left, if it can")),
+    _drive("sideways_right", ("e",), Message("Sideways to the right, if it can")),
     _drive(
-        "faster", ("+",), lambda do: do.change_speed(1), Message("Faster, up to the cap"), Message("faster")
+        "faster", ("+",), Message("Faster, up to the cap"), Message("faster")
     ),
-    _drive("slower", ("-",), lambda do: do.change_speed(-1), Message("Slower"), Message("slower")),
+    _drive("slower", ("-",), Message("Slower"), Message("slower")),
 )

@@ -20,7 +20,6 @@ def _edit(
     return Key(
         f"edit_{name}",
         keys,
-        lambda actions: do(actions.edit),
         text,
         pane=Pane.EDIT,
         hint=hint,
@@ -33,7 +32,6 @@ def _step(name: str, keys: tuple[str, ...], dx: int, dy: int) -> Key[Actions]:
     return Key(
         f"edit_{name}_far",
         keys,
-        lambda actions: actions.map.pan(dx * FAR, dy * FAR),
         Message("Move the cursor {far} cells {name}", far=FAR, name=name),
         pane=Pane.EDIT,
         in_palette=False,
@@ -45,82 +43,73 @@ EDIT: tuple[Key[Actions], ...] = (
     Key(
         "edit",
         ("E",),
-        lambda do: do.edit.start(),
         Message("Edit the graph of this floor, as a draft"),
         sets_up=True,
         only_live=True,
     ),
     _edit(
-        "add", ("i",), lambda do: do.add_at_cursor(), Message("Add a vertex at the cursor"), Message("vertex")
+        "add", ("i",), Message("Add a vertex at the cursor"), Message("vertex")
     ),
     _edit(
         "connect",
         ("e",),
-        lambda do: do.connect(),
         Message("Edge from the selected vertex to the cursor"),
         Message("edge"),
     ),
     _edit(
         "select",
         ("enter",),
-        lambda do: do.select(),
         Message("Select; again: menu. Puts down a moved vertex"),
         Message("select"),
     ),
-    _edit("name", ("n",), lambda do: do.name(), Message("Label of the selected vertex"), Message("name")),
+    _edit("name", ("n",), Message("Label of the selected vertex"), Message("name")),
     _edit(
-        "type", ("t",), lambda do: do.choose_type(), Message("Type of the selected vertex"), Message("type")
+        "type", ("t",), Message("Type of the selected vertex"), Message("type")
     ),
     _edit(
         "turn",
         ("d",),
-        lambda do: do.turn(),
         Message("Direction of the selected edge: both ways, one, other"),
         Message("turn"),
     ),
     _edit(
         "move",
         ("m",),
-        lambda do: do.hold(),
         Message("Move the selected vertex: cursor, then Enter"),
         Message("move"),
     ),
     _edit(
         "remove",
         ("x",),
-        lambda do: do.remove(),
         Message("Remove the selected vertex or edge"),
         Message("remove"),
     ),
-    _edit("undo", ("u",), lambda do: do.undo(), Message("Undo"), Message("undo")),
-    _edit("redo", ("ctrl+r",), lambda do: do.redo(), Message("Redo")),
+    _edit("undo", ("u",), Message("Undo"), Message("undo")),
+    _edit("redo", ("ctrl+r",), Message("Redo")),
     _edit(
         "lint",
         ("!",),
-        lambda do: do.lint(),
         Message("Check: errors, warnings, reach, longest detour"),
         Message("check"),
     ),
     _edit(
         "compare",
         ("D",),
-        lambda do: do.compare(),
         Message("Differences from the live graph"),
         Message("diff"),
     ),
-    _edit("write", ("w",), lambda do: do.write(), Message("Write the draft to a file"), Message("write")),
+    _edit("write", ("w",), Message("Write the draft to a file"), Message("write")),
     _edit(
         "send",
         ("W",),
-        lambda do: do.send(),
         Message("Send the draft to the robot (asks first)"),
         Message("send"),
     ),
     _edit(
-        "add_at_robot", ("I",), lambda do: do.add_at_robot(), Message("Add a vertex at the selected robot")
+        "add_at_robot", ("I",), Message("Add a vertex at the selected robot")
     ),
     _edit(
-        "leave", ("escape",), lambda do: do.leave(), Message("Put back, deselect, or leave; the draft stays")
+        "leave", ("escape",), Message("Put back, deselect, or leave; the draft stays")
     ),
     _step("left", ("shift+left", "H"), -1, 0),
     _step("right", ("shift+right", "L"), 1, 0),

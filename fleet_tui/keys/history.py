@@ -23,34 +23,32 @@ def _page(number: int) -> Callable[[HistoryActions], None]:
 def _key(
     id_: str, keys: tuple[str, ...], action: Callable[[HistoryActions], None], text: Message
 ) -> Key[HistoryActions]:
-    return Key(f"history_{id_}", keys, action, text, pane=Pane.HISTORY)
+    return Key(f"history_{id_}", keys, text, pane=Pane.HISTORY)
 
 
 HISTORY: tuple[Key[HistoryActions], ...] = (
     *(
-        _key(name.lower(), (str(n),), _page(n), Message("Page {n}: {text}", n=n, text=text))
+        _key(name.lower(), (str(n),), Message("Page {n}: {text}", n=n, text=text))
         for n, (name, text) in enumerate(HISTORY_PAGES.items(), 1)
     ),
-    _key("next_page", ("tab",), lambda do: do.step_page(1), Message("Next page")),
-    _key("previous_page", ("shift+tab",), lambda do: do.step_page(-1), Message("Previous page")),
+    _key("next_page", ("tab",), Message("Next page")),
+    _key("previous_page", ("shift+tab",), Message("Previous page")),
     _key(
         "filter",
         ("/",),
-        lambda do: do.filter(),
         Message("Filter: words, !word; a robot, a place, an outcome"),
     ),
-    _key("earlier", (",",), lambda do: do.shift(-1), Message("Earlier, by half the span")),
-    _key("later", (".",), lambda do: do.shift(1), Message("Later, up to now")),
+    _key("earlier", (",",), Message("Earlier, by half the span")),
+    _key("later", (".",), Message("Later, up to now")),
     _key(
-        "longer", ("-",), lambda do: do.stretch(1), Message("Longer span: 15 min, 1 h, 8 h, 24 h, 7 d, 30 d")
+        "longer", ("-",), Message("Longer span: 15 min, 1 h, 8 h, 24 h, 7 d, 30 d")
     ),
-    _key("shorter", ("+",), lambda do: do.stretch(-1), Message("Shorter span")),
-    _key("floor", ("f",), lambda do: do.next_floor(), Message("Next floor, on the page of places")),
+    _key("shorter", ("+",), Message("Shorter span")),
+    _key("floor", ("f",), Message("Next floor, on the page of places")),
     _key(
         "replay",
         ("o",),
-        lambda do: do.replay(),
         Message("Open the recording at the marked row, else at the end of the span"),
     ),
-    _key("leave", ("escape", "q"), lambda do: do.leave(), Message("Go back")),
+    _key("leave", ("escape", "q"), Message("Go back")),
 )

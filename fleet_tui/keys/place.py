@@ -21,7 +21,6 @@ def _place(
     return Key(
         f"place_{name}",
         keys,
-        lambda actions: do(actions.place),
         text,
         pane=Pane.PLACE,
         hint=hint,
@@ -34,7 +33,6 @@ PLACE: tuple[Key[Actions], ...] = (
     Key(
         "laser",
         ("u",),
-        lambda do: do.place.laser(),
         Message("Laser scan of the selected robot on or off"),
         hint=Message("laser"),
         helps="stays",
@@ -44,7 +42,6 @@ PLACE: tuple[Key[Actions], ...] = (
     Key(
         "path",
         ("U",),
-        lambda do: do.place.path(),
         Message("Planned path of the selected robot on or off"),
         needs="path",
         only_live=True,
@@ -52,7 +49,6 @@ PLACE: tuple[Key[Actions], ...] = (
     Key(
         "camera",
         ("V",),
-        lambda do: do.place.camera(),
         Message("Camera of the selected robot on or off"),
         hint=Message("camera"),
         helps="stays",
@@ -62,7 +58,6 @@ PLACE: tuple[Key[Actions], ...] = (
     Key(
         "pose",
         ("I",),
-        lambda do: do.place.pose(),
         Message("Set the robot's pose: cursor and heading on the map"),
         needs="pose",
         commands=True,
@@ -73,7 +68,6 @@ PLACE: tuple[Key[Actions], ...] = (
     Key(
         "goal",
         ("G",),
-        lambda do: do.place.goal(),
         Message("Send the robot to a place with a heading"),
         needs="goal",
         commands=True,
@@ -82,45 +76,39 @@ PLACE: tuple[Key[Actions], ...] = (
     Key(
         "mapping",
         ("M",),
-        lambda do: do.place.mapping(),
         Message("Mapping: on, off, the live map, save it"),
         only_live=True,
     ),
     _place(
-        "send", ("enter",), lambda do: do.send(), Message("Ask, then send the pose or goal"), Message("send")
+        "send", ("enter",), Message("Ask, then send the pose or goal"), Message("send")
     ),
     _place(
         "left",
         ("h",),
-        lambda do: do.turn(TURN),
         Message("Turn the heading {degrees} degrees to the left", degrees=TURN),
         Message("turn left"),
     ),
     _place(
         "right",
         ("l",),
-        lambda do: do.turn(-TURN),
         Message("Turn the heading {degrees} degrees to the right", degrees=TURN),
         Message("right"),
     ),
     _place(
         "fine_left",
         ("H",),
-        lambda do: do.turn(FINE_TURN),
         Message("Turn {degrees} degree to the left", degrees=FINE_TURN),
     ),
     _place(
         "fine_right",
         ("L",),
-        lambda do: do.turn(-FINE_TURN),
         Message("Turn {degrees} degree to the right", degrees=FINE_TURN),
     ),
     _place(
         "snap",
         ("s",),
-        lambda do: do.snap(),
         Message("Snap the pose to the best fit of the scan nearby"),
         Message("best fit"),
     ),
-    _place("leave", ("escape",), lambda do: do.leave(), Message("Leave without sending"), Message("back")),
+    _place("leave", ("escape",), Message("Leave without sending"), Message("back")),
 )

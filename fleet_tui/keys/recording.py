@@ -11,58 +11,53 @@ from fleet_tui.text.language import EMPTY, Message
 def _player(
     id_: str, key: str, do: Callable[[PlayerActions], object], text: Message, hint: Message = EMPTY
 ) -> Key[Actions]:
-    return Key(id_, (key,), lambda actions: actions.play(do), text, pane=Pane.RECORDING, hint=hint)
+    return Key(id_, (key,), text, pane=Pane.RECORDING, hint=hint)
 
 
 RECORDING: tuple[Key[Actions], ...] = (
-    _player("play", "space", lambda player: player.toggle(), Message("Play or pause"), Message("play/stop")),
-    _player("skip_back", "<", lambda player: player.skip(-10), Message("Skip back 10 s")),
-    _player("skip_on", ">", lambda player: player.skip(10), Message("Skip forward 10 s"), Message("10 s")),
+    _player("play", "space", Message("Play or pause"), Message("play/stop")),
+    _player("skip_back", "<", Message("Skip back 10 s")),
+    _player("skip_on", ">", Message("Skip forward 10 s"), Message("10 s")),
     _player(
-        "previous_mark", "(", lambda player: player.to_mark(-1), Message("Previous alarm, command or gap")
+        "previous_mark", "(", Message("Previous alarm, command or gap")
     ),
     _player(
         "next_mark",
         ")",
-        lambda player: player.to_mark(1),
         Message("Next alarm, command or gap"),
         Message("mark"),
     ),
-    _player("step_back", ",", lambda player: player.step(-1), Message("Step back one tick (0.1 s)")),
+    _player("step_back", ",", Message("Step back one tick (0.1 s)")),
     _player(
         "step_on",
         ".",
-        lambda player: player.step(1),
         Message("Step forward one tick (0.1 s)"),
         Message("step"),
     ),
-    _player("record_back", ";", lambda player: player.step_record(-1), Message("Step back one record")),
-    _player("record_on", "'", lambda player: player.step_record(1), Message("Step forward one record")),
+    _player("record_back", ";", Message("Step back one record")),
+    _player("record_on", "'", Message("Step forward one record")),
     _player(
         "faster",
         "F",
-        lambda player: player.change_speed(1),
         Message("Play faster, up to x64"),
         Message("faster"),
     ),
     _player(
         "slower",
         "S",
-        lambda player: player.change_speed(-1),
         Message("Play slower, down to x0.25"),
         Message("slower"),
     ),
     _player(
-        "usual_speed", "backspace", lambda player: player.change_speed(0), Message("Play at original speed")
+        "usual_speed", "backspace", Message("Play at original speed")
     ),
     Key(
         "go_to_time",
         ("@", "ctrl+g"),
-        lambda do: do.view.go_to_time(),
         Message("Go to a time: 12:04:31, or +1m30s from the start"),
         pane=Pane.RECORDING,
         hint=Message("time"),
     ),
-    _player("to_beginning", "home", lambda player: player.to_end(-1), Message("Go to the start")),
-    _player("to_the_end", "end", lambda player: player.to_end(1), Message("Go to the end")),
+    _player("to_beginning", "home", Message("Go to the start")),
+    _player("to_the_end", "end", Message("Go to the end")),
 )

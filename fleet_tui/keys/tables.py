@@ -8,7 +8,6 @@ TABLES: tuple[Key[Actions], ...] = (
     Key(
         "filter_rows",
         ("/",),
-        lambda do: do.rows.filter(),
         Message("Filter the table: words, !word, key:value"),
         hint=Message("filter"),
         of_rows=True,
@@ -16,7 +15,6 @@ TABLES: tuple[Key[Actions], ...] = (
     Key(
         "mark_row",
         ("space",),
-        lambda do: do.rows.mark(),
         Message("Mark the row: the next command goes to all marked ones"),
         hint=Message("mark"),
         only_live=True,
@@ -25,7 +23,6 @@ TABLES: tuple[Key[Actions], ...] = (
     Key(
         "sort_rows",
         ("S",),
-        lambda do: do.rows.sort(),
         Message("Sort the table by its next column"),
         hint=Message("sort"),
         only_live=True,
@@ -34,14 +31,12 @@ TABLES: tuple[Key[Actions], ...] = (
     Key(
         "group_rows",
         ("Z",),
-        lambda do: do.rows.group(),
         Message("Group the fleet by floor, by link, or not; Enter folds a group"),
         of_rows=True,
     ),
     Key(
         "copy_row",
         ("y",),
-        lambda do: do.rows.copy(),
         Message("Copy the row to the clipboard (OSC 52)"),
         of_rows=True,
     ),

@@ -1,64 +1,27 @@
-"""The parts of the main screen with which a robot is driven by hand."""
+"""Driving by hand on this screen."""
 
-from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING
-
-from fleet_tui.actions import DriveActions
-from fleet_tui.controllers.driving.driving import DriveControls, DriveJournal
-from fleet_tui.controllers.parts import SetUpParts
+from fleet_tui.controllers.console import Console
+from fleet_tui.controllers.driving.driving import DriveControls
+from fleet_tui.controllers.map import MapControls
 from fleet_tui.keys import KEYS, Pane
-from fleet_tui.keys.drive import PASSES, WHILE_HELD
+from fleet_tui.keys.drive import PASSES
 from fleet_tui.terminal.lean_app import LeanApp
-from fleet_tui.text.language import Message
 from fleet_tui.widgets.bindings import textual_key
-
-if TYPE_CHECKING:
-    from fleet_tui.screens.main import MainScreen
-    from fleet_tui.screens.rest import Rest
+from fleet_tui.widgets.map_view import MapView
 
 
-def drive_controls(screen: "MainScreen", rest: "Rest", parts: SetUpParts) -> DriveControls:
+def drive_controls(console: Console, app: LeanApp, map_view: MapView, controls: MapControls) -> DriveControls:
     def focus() -> None:
         # Later: a question gives the focus back to where it was.
-        screen.call_later(screen.set_focus, rest.map)
+        map_view.call_later(map_view.screen.set_focus, map_view)
 
-    keys, app = screen.settings.keys, screen.app
-    assert isinstance(app, LeanApp)
     ids = {key.id for key in KEYS if key.pane is Pane.DRIVE} | PASSES
     return DriveControls(
-        parts,
-        screen.backend,
-        limits=screen.settings.drive,
-        controls=rest.map_controls,
-        picture=rest.map.picture,
-        journal=DriveJournal(screen.files),
-        ask=rest.confirm.ask,
+        console,
+        controls=controls,
+        picture=map_view.picture,
         focus=focus,
-        is_shown=lambda: rest.map.size.height > 0,
-        passes=frozenset(textual_key(key) for id_ in ids for key in keys[id_]),
+        is_shown=lambda: map_view.size.height > 0,
+        passes=frozenset(textual_key(key) for id_ in ids for key in console.settings.keys[id_]),
         tell_releases=app.tell_releases,
     )
-
-
-def release_key(drives: DriveControls, keys: Mapping[str, tuple[str, ...]], released: str) -> None:
-    """Release the direction of a key, by Textual's name of it."""
-    for id_, direction in WHILE_HELD.items():
-        if released in map(textual_key, keys[id_]):
-            drives.release(direction)
-
-
-def drive_actions(rest: "Rest") -> DriveActions:
-    drives = rest.drives
-    return DriveActions(
-        start=drives.start, press=drives.press, change_speed=drives.change_speed, leave=drives.leave
-    )
-
-
-def after_a_drive(rest: "Rest", reason: Message, do: Callable[[], object]) -> Callable[[], object]:
-    """Return an action that ends a drive first."""
-
-    def end_first() -> object:
-        rest.drives.end(reason)
-        return do()
-
-    return end_first

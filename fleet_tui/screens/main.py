@@ -1,7 +1,5 @@
 """The main screen: map, fleet, alarms, queue, and the overlays over the map."""
 
-import math
-import time
 from collections.abc import Mapping
 from functools import partial
 from inspect import isawaitable
@@ -15,18 +13,19 @@ from textual.screen import Screen
 from textual.widgets import Input
 
 from fleet_tui.backend import Backend
-from fleet_tui.controllers.dispatch import Dispatch
+from fleet_tui.controllers.console import Console
+from fleet_tui.controllers.dispatch import Ask, Dispatch
 from fleet_tui.controllers.files import ConsoleFiles
+from fleet_tui.controllers.marked_alarm import MarkedAlarm
 from fleet_tui.controllers.navigation import Navigation
 from fleet_tui.controllers.notices import Notices
-from fleet_tui.controllers.session import OpenSession, SessionParts
+from fleet_tui.controllers.session import OpenSession
 from fleet_tui.controllers.settings import ConsoleSettings
 from fleet_tui.keys import BY_ID, Pane
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.screens import picks
 from fleet_tui.screens.overlay import Overlay
 from fleet_tui.screens.robot.overlay import RobotOverlay
-from fleet_tui.screens.tables.newest import NewestRows
+from fleet_tui.screens.tables.pane_rows import PaneRows
 from fleet_tui.state.store import Store
 from fleet_tui.text.language import Message, counted
 from fleet_tui.text.sanitize import sanitize
@@ -34,19 +33,19 @@ from fleet_tui.view.lines.commands import message_line
 from fleet_tui.view.lines.hints import hidden_keys, idle_hints, other_alarmed, unoffered_keys
 from fleet_tui.view.map.drawing import Drawing
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.alarms import alarm_of, unacknowledged
+from fleet_tui.view.tables.alarms import alarm_of
 from fleet_tui.view.tables.recent import recent_table
 from fleet_tui.view.tables.robot_page import robot_page
 from fleet_tui.widgets import messages
+from fleet_tui.widgets.background import run_in_background
 from fleet_tui.widgets.bindings import bindings
 from fleet_tui.widgets.key_line import KeyLine
 from fleet_tui.widgets.line_view import LineView
 from fleet_tui.widgets.panes import Panes
-from fleet_tui.widgets.rows_pane import RowsPane
 from fleet_tui.widgets.runs_view import RunsView
 
 if TYPE_CHECKING:
-    from fleet_tui.screens.rest import Rest
+    from fleet_tui.screens.features import Features
 
 MOST_NAMED = 5
 """Robots that a notice names; of more it has the number."""
@@ -61,9 +60,7 @@ class MainScreen(Screen[None]):
     HORIZONTAL_BREAKPOINTS = [(0, "-tiny"), (60, "-narrow"), (120, "-wide")]  # noqa: RUF012  # as Textual declares it
     VERTICAL_BREAKPOINTS = [(0, "-flat"), (16, "-low"), (24, "-tall")]  # noqa: RUF012  # as Textual declares it
 
-    rest: "Rest"
-    alarm_cleared_at = -math.inf
-    """When the alarm under the cursor went by itself, or gave way to a worse one (monotonic)."""
+    features: "Features"
 
     def __init__(
         self,
@@ -78,7 +75,7 @@ class MainScreen(Screen[None]):
         self.backend = backend
         self.settings = settings
         self.files = files
-        self.is_complete = self.shows_all_orders = False
+        self.is_complete = False
         self.status = LineView(id="status")
         self.message = LineView(id="message")
         self.hints = KeyLine(settings.keys, id="hints")
@@ -87,16 +84,28 @@ class MainScreen(Screen[None]):
         self.alarms = self.panes.alarms
         self.queue = self.panes.queue
         self.views: list[RunsView] = [self.status, *self.panes.views, self.message, self.hints]
-        self.newest = NewestRows(self)
         self._robots = tuple(store.state.robots)
         self.notices = Notices(store, self.tick, settings.message)
-        self.navigation = Navigation(store, self._mark_robot, lambda: self.rest.map_controls, self.tick)
-        self.dispatch = Dispatch(
-            store, backend, settings.permissions, self.notices, lambda *asked: self.rest.confirm.ask(*asked)
+        self.navigation = Navigation(store, self._mark_robot, lambda: self.features.map_controls, self.tick)
+        ask: Ask = lambda *asked: self.features.confirm.ask(*asked)  # noqa: E731  # mounted later
+        self.dispatch = Dispatch(store, backend, settings.permissions, self.notices, ask)
+        self.console_parts = Console(
+            store=store,
+            backend=backend,
+            dispatch=self.dispatch,
+            notices=self.notices,
+            navigation=self.navigation,
+            files=files,
+            settings=settings,
+            ask=ask,
+            open_menu=lambda *shown, **options: self.features.menu.show(*shown, **options),
+            begin=lambda line: self.features.palette.show(line),
+            in_background=partial(run_in_background, self),
+            say_from_thread=lambda text: self.app.call_from_thread(self.notices.say, text),
         )
-        self.session = open_session(
-            SessionParts(self.dispatch, self.notices, files, settings, self._forget_trails)
-        )
+        self.rows = PaneRows(self.console_parts, self.panes)
+        self.marked_alarm = MarkedAlarm(self.alarms)
+        self.session = open_session(self.console_parts, self._forget_trails)
         self.unoffered = unoffered_keys(self.session.offers, settings.permissions.right)
 
     def compose(self) -> ComposeResult:
@@ -112,17 +121,19 @@ class MainScreen(Screen[None]):
         yield self.message
         yield self.hints
 
-    async def mount_rest(self) -> None:
+    async def mount_features(self) -> None:
         """Mount the widgets missing in the first picture: their import takes as long as painting that."""
-        from fleet_tui.screens.rest import Rest
+        from fleet_tui.screens.features import Features
 
-        self.rest = Rest(self)
-        await self.rest.mount(self)
+        self.features = Features(
+            self, self.console_parts, self.session, self.panes, self.rows, self.marked_alarm
+        )
+        await self.features.mount()
         self.is_complete = True
 
     def set_role_styles(self, styles: Mapping[StyleRole, Style]) -> None:
         """Change every colour."""
-        for view in [*self.views, *(self.rest.styled if self.is_complete else [])]:
+        for view in [*self.views, *(self.features.styled if self.is_complete else [])]:
             view.set_role_styles(styles)
 
     def on_mount(self) -> None:
@@ -140,15 +151,15 @@ class MainScreen(Screen[None]):
         self._note_added()
         whole, state, robot = self.store.state, self.navigation.here, self.navigation.robot
         if self.is_complete:
-            if self.rest.tables.filter_line.goes_first:
+            if self.features.tables.filter_line.goes_first:
                 return
-            if self.newest.is_floor_due():
+            if self.rows.is_floor_due(self.features.map_pane.is_mode, self.features.map.size):
                 self._show_floor(state)
-            self.rest.show()
-        self._mark_alarm(state)
-        clock, covered = self.settings.clock, self.rest.covered if self.is_complete else 0
+            self.features.show()
+        self.marked_alarm.look(state)
+        clock, covered = self.settings.clock, self.features.covered if self.is_complete else 0
         page, recent = partial(robot_page, state, clock=clock), partial(recent_table, state, clock)
-        self.panes.show(state, self.newest.tables(), robot, page, recent, covered)
+        self.panes.show(state, self.rows.tables(), robot, page, recent, covered)
         self.status.show(*self.session.headline(whole, robot, self.status.size.width))
         said, width = self.notices, self.message.size.width
         self.message.show(message_line(whole, said.text, said.at, width, said.key_at, said.is_hint))
@@ -172,16 +183,10 @@ class MainScreen(Screen[None]):
         )
         self.notices.say(Message("{keys}, {why}: Esc ends this, F12 pauses all", keys=keys, why=why))
 
-    def show_rows(self, pane: RowsPane, sought: str = "") -> None:
-        """Show the newest rows of a pane, the cursor on the best one sought, else on the selected robot."""
-        if pane is self.fleet and not pane.arrangement.typed:
-            pane.listing.cursor = self.navigation.robot
-        pane.show(self.newest.of(pane), sought)
-
     def _show_hints(self, state: FleetState, robot: str) -> None:
         types = self._in_overlay() or isinstance(self.focused, Input)
         pane = Pane.ANYWHERE if types else self.focused_pane()
-        idle = idle_hints(state, robot) | (self.rest.snap.idle_keys if self.is_complete else set())
+        idle = idle_hints(state, robot) | (self.features.snap.idle_keys if self.is_complete else set())
         about = self.focused.KEY if isinstance(self.focused, RobotOverlay) else ""
         hidden = hidden_keys(state, robot) | idle | self.unoffered | {about}
         focused = (self.focused and self.focused.id) or ""
@@ -200,45 +205,28 @@ class MainScreen(Screen[None]):
         from fleet_tui.screens.ordering.route_line import show_route
         from fleet_tui.view.map.floor_scene import floor_scene
 
-        selection = self.navigation.settle(state, self.rest.map.picture.viewport.follow)
-        drafted = show_route(self.rest.order_form, state)
+        selection = self.navigation.settle(state, self.features.map.picture.viewport.follow)
+        drafted = show_route(self.features.order_form, state)
         if drafted is not None and drafted[0].marked is not None:
             selection = replace(selection, floor=drafted[0].marked.floor)
-        self.rest.live_map.show(state, selection, others=self.panes.has_small_maps)
-        scene = self.rest.streams.on(floor_scene(state, selection, drafted))
-        self.rest.show_scene(self.rest.mapping.on(scene))
-
-    def _mark_alarm(self, state: FleetState) -> None:
-        """Mark an alarm, of those that wait for an acknowledgement unless the pane has the focus."""
-        fresh, listing = unacknowledged(state), self.alarms.listing
-        marked = listing.cursor
-        if marked is not None and all(alarm.key != marked for alarm in state.alarms):
-            self.alarm_cleared_at = time.monotonic()
-        # What nobody chose gives way to a worse one.
-        is_own = marked == listing.proposed and marked in fresh
-        if fresh and (is_own or marked not in fresh) and not self.alarms.has_focus:
-            if is_own and marked != fresh[0]:
-                self.alarm_cleared_at = time.monotonic()
-            listing.cursor = listing.proposed = fresh[0]
+        self.features.live_map.show(state, selection, others=self.panes.has_small_maps)
+        scene = self.features.streams.on(floor_scene(state, selection, drafted))
+        self.features.show_scene(self.features.mapping.on(scene))
 
     def _forget_trails(self) -> bool:
         if self.is_complete:
-            self.rest.map.picture.clear_trails()
+            self.features.map.picture.clear_trails()
         return self.is_complete
 
     def focused_pane(self) -> Pane:
         """Return the pane whose keys help and footer list first."""
-        if self.session.pane or not self.is_complete or self.focused is self.rest.map:
-            return self.session.pane or (self.rest.map_pane if self.is_complete else Pane.MAP)
-        if self.rest.diagnostics.is_open:
-            return Pane.DIAGNOSTICS
-        if self.rest.history.is_open:
-            return Pane.HISTORY
-        return Pane.ROWS if isinstance(self.focused, RowsPane) else Pane.CONSOLE
+        if not self.is_complete:
+            return self.session.pane or Pane.MAP
+        return self.features.focused_pane()
 
     async def action_key(self, id_: str) -> None:
         self.notices.key_pressed()
-        done = BY_ID[id_].action(self.rest.actions)
+        done = BY_ID[id_].action(self.features.actions)
         if isawaitable(done):
             await done
 
@@ -247,7 +235,7 @@ class MainScreen(Screen[None]):
         if action != "key":
             return super().check_action(action, parameters)
         key = BY_ID[str(parameters[0])]
-        if not self.session.offers(key) or (self.is_complete and self.rest.blocks(key)):
+        if not self.session.offers(key) or (self.is_complete and self.features.blocks(key)):
             return False
         return not (key.in_dialogs and isinstance(self.focused, Input))
 
@@ -272,4 +260,4 @@ class MainScreen(Screen[None]):
     @on(messages.TimePicked)
     def picked(self, event: messages.Picked) -> None:
         """Forward a click or selection of the operator."""
-        picks.picked(self, event)
+        self.features.picked(event)

@@ -2,35 +2,24 @@
 
 import asyncio
 import time
-from collections.abc import Callable, Hashable
-from typing import TYPE_CHECKING, ClassVar
+from collections.abc import Hashable
+from typing import ClassVar
 
 from textual.binding import BindingType
 
-from fleet_tui.controllers.dispatch import Ask
+from fleet_tui.controllers.console import Console
 from fleet_tui.controllers.programs import ProgramRequests, since_text
-from fleet_tui.controllers.typed import OpenMenu
 from fleet_tui.log_file import state_folder
 from fleet_tui.programs.arguments import log
 from fleet_tui.programs.log_tail import LogTail
 from fleet_tui.programs.watch import ProgramWatch
 from fleet_tui.screens.overlay import ReturningOverlay
 from fleet_tui.screens.tables.paged_overlay import TableOverlay
-from fleet_tui.text.language import Message, translate
+from fleet_tui.text.language import translate
 from fleet_tui.view.programs.table import log_table, note, program_table
 from fleet_tui.widgets.bindings import overlay_bindings
 
-if TYPE_CHECKING:
-    from fleet_tui.screens.main import MainScreen
-
 EVERY = 0.25  # seconds between two updates
-
-
-def programs_overlay(screen: "MainScreen", ask: Ask, open_menu: OpenMenu) -> "Programs":
-    """Return the overlay for the programs of a console's configuration."""
-    watch = ProgramWatch(screen.settings.programs, state_folder() / "programs")
-    requests = ProgramRequests(watch, screen.dispatch, screen.notices, screen.files, ask, open_menu)
-    return Programs(watch, requests, screen.notices.say)
 
 
 class Programs(ReturningOverlay, TableOverlay):
@@ -38,12 +27,10 @@ class Programs(ReturningOverlay, TableOverlay):
 
     BINDINGS: ClassVar[list[BindingType]] = [("escape,q", "back", "Back"), *overlay_bindings("programs")]
 
-    def __init__(
-        self, watch: ProgramWatch, requests: ProgramRequests, say: Callable[[Message], object]
-    ) -> None:
-        super().__init__("programs", self._choose, EVERY, say)
-        self._watch = watch
-        self.requests = requests
+    def __init__(self, console: Console) -> None:
+        super().__init__("programs", self._choose, EVERY, console.notices.say)
+        self._watch = ProgramWatch(console.settings.programs, state_folder() / "programs")
+        self.requests = ProgramRequests(self._watch, console)
         self._log_of = ""
         self._tail = LogTail()
         self._following: asyncio.Task[None] | None = None

@@ -1,17 +1,15 @@
 """The routines: a list with the progress of each robot, and a text about one of them."""
 
 import time
-from collections.abc import Callable, Hashable, Sequence
-from typing import TYPE_CHECKING, ClassVar
+from collections.abc import Hashable, Sequence
+from typing import ClassVar
 
 from textual.binding import BindingType
 
-from fleet_tui.controllers.dispatch import Ask
-from fleet_tui.controllers.parts import InBackground
+from fleet_tui.controllers.console import Console
 from fleet_tui.controllers.programs import since_text
 from fleet_tui.controllers.routines.led import LedRoutines
 from fleet_tui.controllers.routines.requests import RoutineRequests
-from fleet_tui.controllers.typed import OpenMenu
 from fleet_tui.log_file import state_folder
 from fleet_tui.routines.look import RoutinePlace
 from fleet_tui.screens.overlay import ReturningOverlay
@@ -20,25 +18,10 @@ from fleet_tui.text.language import Message
 from fleet_tui.view.routines.table import routine_table, text_table
 from fleet_tui.widgets.bindings import overlay_bindings
 
-if TYPE_CHECKING:
-    from fleet_tui.screens.main import MainScreen
-
 EVERY = 0.25
 """Seconds between two ticks of the routines."""
 LOOK_EVERY = 2.0
 """Seconds between two looks at the files."""
-
-
-def routines_overlay(
-    screen: "MainScreen", ask: Ask, open_menu: OpenMenu, in_background: InBackground
-) -> "Routines":
-    """Return the overlay for the routines of a console's configuration."""
-    settings = screen.settings
-    place = RoutinePlace(settings.routines, state_folder() / "routines", settings.doubt)
-    parts = screen.store, screen.dispatch, screen.notices
-    led = LedRoutines(place, *parts, screen.files, in_background)
-    requests = RoutineRequests(place, *parts, led, ask, open_menu, in_background)
-    return Routines(place, requests, led, ask, screen.notices.say)
 
 
 class Routines(ReturningOverlay, TableOverlay):
@@ -47,19 +30,13 @@ class Routines(ReturningOverlay, TableOverlay):
 
     BINDINGS: ClassVar[list[BindingType]] = [("escape,q", "back", "Back"), *overlay_bindings("routines")]
 
-    def __init__(
-        self,
-        place: RoutinePlace,
-        requests: RoutineRequests,
-        led: LedRoutines,
-        ask: Ask,
-        say: Callable[[Message], object],
-    ) -> None:
-        super().__init__("routines", self._choose, EVERY, say)
-        self._place = place
-        self._requests = requests
-        self._led = led
-        self._ask = ask
+    def __init__(self, console: Console) -> None:
+        super().__init__("routines", self._choose, EVERY, console.notices.say)
+        settings = console.settings
+        self._place = RoutinePlace(settings.routines, state_folder() / "routines", settings.doubt)
+        self._led = LedRoutines(self._place, console)
+        self._requests = RoutineRequests(self._place, console, self._led)
+        self._ask = console.ask
         self._text: tuple[Message, Sequence[str]] | None = None
         self._looked = 0.0
 

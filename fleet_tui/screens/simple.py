@@ -1,7 +1,7 @@
 """The simple interface, above the map, beside it or in its place: large buttons, for arrows or the mouse."""
 
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Any, ClassVar, Self
+from typing import Any, ClassVar, Self
 
 from textual import on
 from textual.app import ComposeResult
@@ -11,9 +11,8 @@ from textual.content import Content
 from textual.widget import Widget
 from textual.widgets import Button, Input, Static
 
-from fleet_tui.model.fleet import FleetState
+from fleet_tui.controllers.console import Console
 from fleet_tui.model.kind import ORDER
-from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot
 from fleet_tui.rules.language.lookup import HERE, Place, is_still, matches, order_of, places, starts_here
 from fleet_tui.screens.ordering.choices import changed, hindrance
@@ -27,11 +26,6 @@ from fleet_tui.widgets.matches import Matches
 from fleet_tui.widgets.panes import Panes
 
 FIELDS = ("robot", "from", "to", "send")
-
-
-if TYPE_CHECKING:
-    from fleet_tui.screens.main import MainScreen
-    from fleet_tui.screens.rest import Rest
 
 
 _PURPOSE = {"from": Message("the cargo is fetched"), "to": Message("it is brought")}
@@ -55,7 +49,7 @@ class Large(OnceButton):
 
 class Simple(Vertical):
     """One large button for each choice; a press replaces the buttons by a list, which filters as one types.
-    The robot is the console's `selected` one; `select` selects another, `close` returns to the map."""
+    The robot is the console's selected one; `close` returns to the map."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
         ("down,j", "step(1)", "Down"),
@@ -65,24 +59,16 @@ class Simple(Vertical):
         ("escape", "back", "Back"),
     ]
 
-    def __init__(
-        self,
-        state: Callable[[], FleetState],
-        selected: Callable[[], str],
-        select: Callable[[str], None],
-        give: Callable[[Request, Callable[[], None]], Message],
-        close: Callable[[], None],
-    ) -> None:
+    def __init__(self, console: Console, close: Callable[[], None]) -> None:
         super().__init__(id="simple")
         self._close = close
-        self._state = state
-        self._selected = selected
-        self._select = select
-        self._give = give
+        self._store = console.store
+        self._navigation = console.navigation
+        self._give = console.dispatch.give
         self._chosen: dict[str, Place] = {}
         self._whose = ""
         self._choosing = ""
-        self._picture = picture_of(state(), None)
+        self._picture = picture_of(self._store.state, None)
         self._shown: tuple[object, ...] = ()
         self._list = Matches[Place | str](id="simple-list")
         self._typed = Field(
@@ -109,7 +95,7 @@ class Simple(Vertical):
     def show(self) -> None:
         """Update the form: another robot may be selected, and what was chosen may have changed."""
         robot = self._robot()
-        picture = picture_of(self._state(), robot)
+        picture = picture_of(self._store.state, robot)
         if robot.name != self._whose:
             self._whose = robot.name
             self._picture = picture
@@ -124,7 +110,7 @@ class Simple(Vertical):
                 self._say(changed([name for name in names if name]))
         start = HERE.name if starts_here(robot) else tr("choose ...")
         to = tr("To, for the cargo on board: ") if self._brings(robot) else tr("To: ")
-        does = told_text(self._state(), robot)
+        does = told_text(self._store.state, robot)
         shown = (robot.name, does, start, to, self._choosing, *self._chosen.items())
         if shown == self._shown:
             return
@@ -157,7 +143,7 @@ class Simple(Vertical):
         return self.query_one(f"#simple-{field}", Button)
 
     def _robot(self) -> Robot:
-        return self._state().robots[self._selected()]
+        return self._store.state.robots[self._navigation.robot]
 
     def _brings(self, robot: Robot) -> bool:
         """Tell whether the order is for the cargo on board."""
@@ -202,7 +188,7 @@ class Simple(Vertical):
         robot = self._robot()
         if field != "robot" and not places(robot):
             self._say(
-                hindrance(self._state(), robot)
+                hindrance(self._store.state, robot)
                 or Message("no places of {name} received yet", name=robot.name)
             )
             return
@@ -225,7 +211,7 @@ class Simple(Vertical):
         """Return what fits the typed text."""
         robot, typed = self._robot(), self._typed.value.strip()
         if self._choosing == "robot":
-            return [name for name in self._state().robots if typed.casefold() in name.casefold()]
+            return [name for name in self._store.state.robots if typed.casefold() in name.casefold()]
         takes_it = self._choosing == "to" or ORDER in robot.kind.accepts
         may_be_here = self._choosing == "from" and starts_here(robot)
         here = [HERE] if may_be_here and HERE.name.startswith(typed.casefold()) else []
@@ -257,7 +243,7 @@ class Simple(Vertical):
         self._choosing = ""
         self._say(EMPTY)
         if isinstance(choice, str):
-            self._select(choice)
+            self._navigation.select(choice)
         else:
             self._chosen[field] = choice
         self.show()
@@ -293,15 +279,11 @@ class SimpleSwitch:
     """Creates the simple interface on first use."""
 
     def __init__(
-        self,
-        panes: Panes,
-        map_view: Widget,
-        make: Callable[[Callable[[], None]], Simple],
-        may_order: Callable[[], bool],
+        self, console: Console, panes: Panes, map_view: Widget, may_order: Callable[[], bool]
     ) -> None:
+        self._console = console
         self._panes = panes
         self._map = map_view
-        self._make = make
         self._may_order = may_order
         self._simple: Simple | None = None
         self._parts = 0
@@ -312,7 +294,7 @@ class SimpleSwitch:
         if not panes.has_class("-simple") and not self._may_order():
             return
         if self._simple is None:
-            simple = self._make(self._leave)
+            simple = Simple(self._console, self._leave)
             await panes.floor.mount(simple, before=0)
             self._simple = simple  # not before: ticks during the mounting would query missing widgets
             self._parts = len(simple.children)
@@ -333,11 +315,3 @@ class SimpleSwitch:
         # While the console ends, its widgets go one after the other.
         if self._simple is not None and len(self._simple.children) == self._parts:
             self._simple.show()
-
-
-def simple_switch(screen: "MainScreen", rest: "Rest") -> SimpleSwitch:
-    def make(close: Callable[[], None]) -> Simple:
-        state, navigation = lambda: screen.store.state, screen.navigation
-        return Simple(state, lambda: navigation.robot, navigation.select, screen.dispatch.give, close)
-
-    return SimpleSwitch(screen.panes, rest.map, make, rest.orders.may_order)

@@ -121,7 +121,7 @@ def beats() -> None:
 
     def ticked(screen: MainScreen) -> None:
         # The first ticks come before the map.
-        scene = screen.rest.map.picture.scene if screen.is_complete else None
+        scene = screen.features.map.picture.scene if screen.is_complete else None
         width = scene.grid.frame.width if scene and scene.grid else 0
         if not noted["map"] or noted["map"][-1][1] != width:
             noted["map"].append((time.monotonic(), width))

@@ -5,7 +5,6 @@ import time
 from collections.abc import Callable
 
 from fleet_tui.controllers.alarms import AlarmResponses
-from fleet_tui.keymap import keymap
 from fleet_tui.model.desk.events import AlarmAcknowledged, AlarmShelved
 from fleet_tui.model.events import GraphReceived
 from fleet_tui.model.graph import Role, RouteGraph, Vertex
@@ -23,22 +22,15 @@ def responses(cleared_at: Callable[[], float] = lambda: -math.inf) -> tuple[Desk
     low = (battery(T0, 5.0, robot=f"robot_{n}") for n in range(2))
     upstairs = pose(T0, robot="robot_1", frame=F0.replace("0", "1"))
     desk, pane = Desk(reduced(fleet(2, 2), link_up(T0 - 9), *low, upstairs, tick(T0))), RowsPane(id="alarms")
-    keys, _ = keymap({})
     return (
         desk,
         pane,
         AlarmResponses(
-            desk.store,
-            desk.backend,
-            desk.notices,
-            desk.navigation,
+            desk.console(),
             pane=pane,
-            open_menu=desk.open_menu,
             why=lambda: desk.notices.say(Message("why")),
             robot_menu=lambda robot: desk.notices.say(Message("menu of {robot}", robot=robot)),
             charge=lambda robot: desk.notices.say(Message("{robot} to a charger", robot=robot)),
-            keys=keys,
-            clock=lambda _wall: "12:00",
             cleared_at=cleared_at,
         ),
     )
@@ -83,7 +75,10 @@ def test_the_menu_goes_to_the_robot_and_puts_the_alarm_on_the_shelf() -> None:
     desk, _, alarms = responses()
     alarms.menu(*LOW[1])
     (menu,) = desk.menus
-    assert menu.title.splitlines()[1:] == [CLASSES["battery"].action, "first seen 12:00, last seen 12:00, x1"]
+    assert menu.title.splitlines()[1:] == [
+        CLASSES["battery"].action,
+        "first seen 12:00:00, last seen 12:00:00, x1",
+    ]
     command = "Command robot_1: pause, order, clear"
     whole = ["Explain robot_1", "Show robot_1 on the map", "Shelve for 30 min", command, "Acknowledge (a)"]
     assert menu.texts == whole

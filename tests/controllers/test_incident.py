@@ -5,14 +5,15 @@ from pathlib import Path
 
 from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.controllers.incident import Cancelled, IncidentPacking
+from tests.support.desk import Desk, ready
 
 Threads = list[Callable[[Cancelled], None]]
 
 
 def packing(pack: Callable[[str, Cancelled], Path] | None) -> tuple[list[str], Threads, IncidentPacking]:
-    said, threads = list[str](), Threads()
-    files = ConsoleFiles(pack=pack)
-    return said, threads, IncidentPacking(files, said.append, said.append, lambda: "<svg/>", threads.append)
+    desk, threads = Desk(ready()), Threads()
+    console = desk.console(ConsoleFiles(pack=pack))
+    return desk.said, threads, IncidentPacking(console, lambda: "<svg/>", threads.append)
 
 
 def test_it_says_what_it_packed_and_where(tmp_path: Path) -> None:

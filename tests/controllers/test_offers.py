@@ -2,8 +2,6 @@
 
 from typing import Any, cast
 
-from msgspec.structs import replace
-
 from fleet_tui.controllers.offers import Offers
 from fleet_tui.controllers.save import SaveCommand
 from fleet_tui.controllers.session import ConsoleSession
@@ -43,10 +41,9 @@ class Palette:
         self.run: list[str] = []
         self.themes: list[str] = []
         self.offers = Offers(
-            *(self.desk.store, self.desk.dispatch, self.desk.navigation),
+            self.desk.console(themes={"dark": lambda: self.themes.append("dark")}),
             cast("ConsoleSession", Answers("time")),
             cast("SaveCommand", Answers("save")),
-            replace(self.desk.parts.settings, themes={"dark": lambda: self.themes.append("dark")}),
             self._run,
         )
 

@@ -18,17 +18,18 @@ WHY = "not here: this console is read-only"
 
 
 def test_nothing_is_written(tmp_path: Path) -> None:
-    said, config = list[str](), config_of("ws://a")
+    desk, config = Desk(ready()), config_of("ws://a")
+    said = desk.said
     files = ConsoleFiles(pack=lambda _shot, _is_over: tmp_path / "pack", saving=Saving(config))
     files.refusal = files.naming_refusal = READ_ONLY
     files.recordings = Recordings(config, Store(ready()), tmp_path)
     with kept_history(tmp_path / "history") as files.history:
-        note = NoteCommand(files, said.append).typed("note lift B is slow")
+        console = desk.console(files)
+        note = NoteCommand(console).typed("note lift B is slow")
         assert note is not None and (note.problem, list(note.entries)) == (WHY, [])
-        RecordingSwitch(files, said.append, said.append, lambda do: do()).turn()
-        IncidentPacking(files, said.append, said.append, str, lambda _do: said.append("packs")).pack()
-        desk = Desk(ready())
-        save = SaveCommand(files, desk.ask, said.append, said.append).typed(f"save {tmp_path / 'copy.toml'}")
+        RecordingSwitch(console, lambda do: do()).turn()
+        IncidentPacking(console, str, lambda _do: said.append("packs")).pack()
+        save = SaveCommand(console).typed(f"save {tmp_path / 'copy.toml'}")
         assert save is not None
         ((_, do),) = save.entries
         do()
@@ -37,12 +38,12 @@ def test_nothing_is_written(tmp_path: Path) -> None:
 
 
 def test_a_browser_names_no_file(tmp_path: Path) -> None:
-    said = list[str]()
+    desk = Desk(ready())
     files = ConsoleFiles(saving=Saving(config_of("ws://a")))
     files.naming_refusal = IN_A_TAB
-    command = SaveCommand(files, Desk(ready()).ask, said.append, said.append)
+    command = SaveCommand(desk.console(files))
     save = command.typed(f"save {tmp_path / 'copy.toml'}")
     assert save is not None
     ((text, do),) = save.entries
     do()
-    assert text == said[0] == IN_A_TAB and list(tmp_path.iterdir()) == []
+    assert text == desk.said[0] == IN_A_TAB and list(tmp_path.iterdir()) == []

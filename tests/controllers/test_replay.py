@@ -31,7 +31,7 @@ class Played:
         desk = Desk(self.player.state)
         self.store, self.notices = desk.store, desk.notices
         self.has_map, self.jumps = True, 0
-        self.replay = Replay(self.player, desk.parts._replace(forget_trails=self._jumped))
+        self.replay = Replay(self.player, desk.console(), self._jumped)
 
     def _jumped(self) -> bool:
         self.jumps += self.has_map

@@ -2,7 +2,6 @@
 
 from fleet_tui.controllers.ordering.orders import OrderRequests
 from fleet_tui.controllers.robots import RobotRequests
-from fleet_tui.keys import KEYS
 from fleet_tui.model.commands import PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.events import CommandAdvanced, CommandIssued, CommandPathChanged, PausedReported
 from fleet_tui.model.fleet import FleetState
@@ -22,30 +21,20 @@ def requests(
 ) -> tuple[Desk, list[str], RobotRequests]:
     desk, asked = Desk(state, permissions), list[str]()
     orders = OrderRequests(
-        desk.store,
-        desk.dispatch,
-        desk.notices,
-        desk.navigation,
+        desk.console(),
         queue=RowsPane(id="queue"),
         open_form=lambda _robot, _place, _way: None,
-        open_menu=desk.open_menu,
-        clock=lambda _wall: "12:00",
         marked=desk.marked,
     )
     return (
         desk,
         asked,
         RobotRequests(
-            desk.store,
-            desk.dispatch,
-            desk.notices,
-            desk.navigation,
+            desk.console(),
             orders=orders,
-            open_menu=desk.open_menu,
             why=lambda: asked.append(desk.navigation.robot),
             alarm_menu=lambda source, kind: asked.append(f"{kind} of {source}"),
             marked=desk.marked,
-            keys={key.id: key.keys for key in KEYS},
         ),
     )
 

@@ -18,9 +18,8 @@ class Discovered:
 
 
 def command(saving: Saving | None) -> tuple[Desk, list[str], SaveCommand]:
-    desk, begun = Desk(ready()), list[str]()
-    files = ConsoleFiles(saving=saving)
-    return desk, begun, SaveCommand(files, desk.ask, begun.append, desk.notices.say)
+    desk = Desk(ready())
+    return desk, desk.begun, SaveCommand(desk.console(ConsoleFiles(saving=saving)))
 
 
 def enter(save: SaveCommand, line: str) -> None:

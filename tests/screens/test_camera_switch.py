@@ -21,15 +21,15 @@ async def opened(it: Console, *texts: str) -> None:
 async def test_v_opens_the_picture_and_closes_it(site: Site, size: tuple[int, int], has_map: bool) -> None:
     async with console(site.config, size) as it:
         await opened(it, "Camera robot_0", "▀")
-        assert bool(it.app.main.rest.map.size.height) is has_map
+        assert bool(it.app.main.features.map.size.height) is has_map
         pictured = {
             part.style.bgcolor.number
-            for part in it.app.main.rest.camera_switch.view.render_line(size[1] // 4)
+            for part in it.app.main.features.camera_switch.view.render_line(size[1] // 4)
             if part.style is not None and part.style.bgcolor is not None
         }
         assert len(pictured) > 1
         await it.press("V")
-        assert it.app.main.focused is it.app.main.rest.map and it.app.main.rest.map.size.height
+        assert it.app.main.focused is it.app.main.features.map and it.app.main.features.map.size.height
         await it.until(lambda _: not site.server.bridge.subscribers(TOPIC))
 
 
@@ -40,7 +40,7 @@ async def test_escape_closes_it_and_it_follows_the_selected_robot(site: Site) ->
         await it.shows("Camera robot_1", "camera")
         await it.shows("▀", "camera")
         await it.press("escape")
-        assert not it.app.main.rest.camera.is_open and it.app.main.focused is it.app.main.rest.map
+        assert not it.app.main.features.camera.is_open and it.app.main.focused is it.app.main.features.map
 
 
 async def test_a_hostile_picture_is_named(site: Site) -> None:
@@ -54,4 +54,4 @@ async def test_a_screen_without_space_says_so(site: Site) -> None:
         await it.pilot.resize_terminal(50, 14)
         await it.press("V")
         await it.shows("no space for a picture")
-        assert not it.app.main.rest.camera.is_open
+        assert not it.app.main.features.camera.is_open

@@ -89,7 +89,7 @@ async def test_keys_move_the_robot_and_silence_stops_it(slow_site: Site, size: t
         await it.until(lambda _: is_still(slow_site))
         moved = [one for one in frames(slow_site) if one != (0.0, 0.0, 0.0)]
         assert moved and all(0.0 <= ahead <= 0.1 and 0.0 <= turning <= 0.2 for ahead, _, turning in moved)
-        assert it.app.main.rest.drives.mode is not None
+        assert it.app.main.features.drives.mode is not None
         await it.press("escape")
         await it.hides("DRIVE", "map")
         assert slow_site.server.bridge.subscribers(f"/{R0}/cmd_vel") == 0 or is_still(slow_site)
@@ -109,8 +109,8 @@ async def test_any_other_key_stops_and_does_nothing_else(slow_site: Site) -> Non
             await it.until(lambda _: not is_still(slow_site))
             await it.press(key)
             await it.until(lambda _: is_still(slow_site))
-            assert it.app.main.rest.drives.mode is not None, key
-            assert it.app.is_running and it.app.main.focused is it.app.main.rest.map
+            assert it.app.main.features.drives.mode is not None, key
+            assert it.app.is_running and it.app.main.focused is it.app.main.features.map
 
 
 @pytest.mark.parametrize(
@@ -131,7 +131,7 @@ async def test_these_keys_stop_and_leave(slow_site: Site, key: str, reason: str)
         await it.until(lambda _: not is_still(slow_site))
         await it.press(key)
         await it.until(lambda _: is_still(slow_site))
-        assert it.app.main.rest.drives.mode is None
+        assert it.app.main.features.drives.mode is None
         if reason != "pause all":
             assert it.app.main.notices.text == f"robot_0 is not driven any more: {reason}"
 
@@ -142,7 +142,7 @@ async def test_a_terminal_without_the_focus_stops_it(slow_site: Site) -> None:
         it.app.post_message(events.AppBlur())
         await it.settled()
         await it.until(lambda _: is_still(slow_site))
-        assert it.app.main.rest.drives.mode is None
+        assert it.app.main.features.drives.mode is None
 
 
 async def test_another_robot_ends_it(slow_site: Site) -> None:
@@ -182,7 +182,7 @@ async def test_the_speed_changes_within_the_caps_and_goes_sideways_only_if_it_ca
         await it.press(*"wq" * 10)
         await it.until(lambda _: is_still(slow_site))
         assert max(math.hypot(x, y) for x, y, _ in frames(slow_site)) <= 0.3 + 1e-9
-        mode = it.app.main.rest.drives.mode
+        mode = it.app.main.features.drives.mode
         assert mode is not None and mode.share == 1.0
 
 
@@ -199,7 +199,7 @@ async def test_a_console_that_quits_stops_the_robot(slow_site: Site) -> None:
     async with driving(slow_site) as it:
         await it.press("w")
         await it.until(lambda _: not is_still(slow_site))
-        drive = it.app.main.rest.drives.drive
+        drive = it.app.main.features.drives.drive
         assert drive is not None
     assert drive.state.phase is DrivePhase.ENDED
     assert is_still(slow_site)
@@ -213,7 +213,7 @@ async def test_the_release_of_a_key_stops_the_robot(slow_site: Site, monkeypatch
         it.app.post_message(KeyReleased("up"))
         it.app.post_message(KeyReleased("w"))
         await it.until(lambda _: is_still(slow_site))
-        assert it.app.main.rest.drives.mode is not None
+        assert it.app.main.features.drives.mode is not None
 
 
 async def test_nothing_is_driven_without_the_map_that_tells_it(slow_site: Site) -> None:
@@ -223,7 +223,7 @@ async def test_nothing_is_driven_without_the_map_that_tells_it(slow_site: Site) 
         began = len(frames(slow_site))
         await it.press("T")
         await it.shows("no map in view: close the camera (V)")
-        assert it.app.main.rest.drives.mode is None and len(frames(slow_site)) == began
+        assert it.app.main.features.drives.mode is None and len(frames(slow_site)) == began
 
 
 async def test_a_map_that_goes_out_of_view_ends_the_drive(slow_site: Site) -> None:

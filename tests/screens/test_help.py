@@ -96,7 +96,7 @@ async def test_words_that_people_bring_find_keys_of_other_words(server: Rosbridg
 async def test_the_legend_is_drawn_as_the_map(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 1)) as it:
         await it.press("m", "m")
-        assert it.app.main.rest.map.picture.options.drawing is Drawing.ASCII
+        assert it.app.main.features.map.picture.options.drawing is Drawing.ASCII
         await it.press("?")
         await it.type("docking station")
         await it.shows("D.Dock", "help-text")

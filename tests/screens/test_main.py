@@ -70,7 +70,7 @@ async def test_floors_step_and_the_map_says_where_the_robot_is(server: Rosbridge
 async def test_the_maps_keys_work_from_every_pane(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 2, 2)) as it:
         await it.press("tab", "tab", "m")
-        assert it.app.main.rest.map.picture.options.drawing is Drawing.HALF_BLOCK
+        assert it.app.main.features.map.picture.options.drawing is Drawing.HALF_BLOCK
         await it.press("m")
         await it.shows("####", "map")
         before = it.pane("map")
@@ -93,14 +93,14 @@ async def test_the_palette_does_what_a_key_would(server: RosbridgeServer) -> Non
         await it.press("colon")
         await it.type("toggle edges")
         await it.press("enter")
-        await it.until(lambda _: it.app.main.rest.map.picture.options.edges)
+        await it.until(lambda _: it.app.main.features.map.picture.options.edges)
 
 
 async def test_themes_change_at_once(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 1)) as it:
-        before = it.app.main.rest.map._styles
+        before = it.app.main.features.map._styles
         it.app.main.settings.themes["light"]()
-        assert it.app.main.rest.map._styles != before
+        assert it.app.main.features.map._styles != before
         assert it.app.theme == "fleet-light"
 
 
@@ -161,7 +161,7 @@ async def test_enter_on_free_ground_tells_the_key_of_the_next_place(server: Rosb
         await it.press("g", "left", "enter")
         await it.shows("no place here: Ctrl-N goes to the next one", "message")
         await it.press("ctrl+n", "enter")
-        await it.until(lambda _: it.app.main.rest.order_form.is_open)
+        await it.until(lambda _: it.app.main.features.order_form.is_open)
 
 
 async def test_a_lost_link_leaves_the_time_and_the_next_try_in_view(server: RosbridgeServer) -> None:

@@ -98,7 +98,7 @@ async def test_the_mark_goes_to_a_worse_alarm_unless_somebody_chose_the_marked_o
         await it.shows("▸▲ new  medium robot_1", "alarms")
         server.bridge.publish_raw("/robot_0/obstacle", {"data": 44.2})
         await it.shows("▸▲ new  high   robot_0", "alarms")
-        assert math.isfinite(it.app.main.alarm_cleared_at), "an acknowledgement waits for a look"
+        assert math.isfinite(it.app.main.marked_alarm.gone_at), "an acknowledgement waits for a look"
         await it.shows("robot_0: Clear the path", "alarms")
         await it.press("!")
         assert it.app.main.navigation.robot == "robot_1"

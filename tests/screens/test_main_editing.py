@@ -17,7 +17,7 @@ from tests.support.watched_store import config_of
 
 
 def drawn(it: Console) -> tuple[int, int]:
-    draft = it.app.main.rest.editor.draft
+    draft = it.app.main.features.editor.draft
     assert draft is not None
     return len(draft.floor.vertices), len(draft.floor.edges)
 
@@ -70,10 +70,10 @@ async def test_beside_the_map_the_console_keeps_its_keys_and_escape_leaves(serve
 async def test_the_mouse_draws_too(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 2, 2)) as it:
         await it.press("E", "i")
-        editor = it.app.main.rest.editor
+        editor = it.app.main.features.editor
         assert editor.draft is not None and editor.mode is not None
         (made,) = [v for v in editor.draft.floor.vertices.values() if v.id == editor.mode.selected]
-        picture = it.app.main.rest.map.picture
+        picture = it.app.main.features.map.picture
         assert picture.scene is not None
         camera = picture.viewport.camera(picture.scene)
         x, y = camera.to_cell(*picture.scene.frame.to_pixel(made.x, made.y))
@@ -107,7 +107,7 @@ async def edited(site: Site, folder: Path, path_there: str = "{path}") -> AsyncI
     files = ConsoleFiles(graph_file=lambda _floor: file, folder=folder)
     async with console(config, (160, 40), wait=bool(floor.graph), files=files) as it:
         await it.press("E")
-        editor = it.app.main.rest.editor
+        editor = it.app.main.features.editor
         if editor.draft is not None and editor.mode is not None and editor.draft.floor.vertices:
             start = editor.draft.floor.vertices[site.vertex("Base")]
             editor.mode.selected, editor.mode.cursor = start.id, (start.x + 1.5, start.y)
@@ -140,7 +140,7 @@ def loaded(site: Site) -> list[object]:
 
 
 def differences(it: Console) -> int:
-    rest = it.app.main.rest
+    rest = it.app.main.features
     assert rest.editor.draft is not None
     return len(rest.checks.changes(rest.editor.draft.floor))
 

@@ -27,7 +27,7 @@ async def test_a_click_on_pause_commands_the_selected_robot(server: RosbridgeSer
         await click_hint(it, "pause")
         await it.until(lambda state: state.is_paused(state.robots["robot_1"]))
         assert sent(server) == [("Pause", {})]
-        assert it.app.main.focused is it.app.main.rest.map
+        assert it.app.main.focused is it.app.main.features.map
 
 
 @pytest.mark.parametrize(("hint", "opens"), [("help", "key_help"), ("command", "palette")])
@@ -36,14 +36,14 @@ async def test_the_permanent_hints_open_help_and_palette(
 ) -> None:
     async with console(config_of(server.url, 1), (60, 24)) as it:
         await click_hint(it, hint)
-        assert getattr(it.app.main.rest, opens).is_open
+        assert getattr(it.app.main.features, opens).is_open
 
 
 async def test_a_hint_of_a_table_is_for_the_row_under_its_cursor(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 1)) as it:
         await it.press("tab")
         await click_hint(it, "menu")
-        assert it.app.main.rest.menu.is_open
+        assert it.app.main.features.menu.is_open
 
 
 async def test_in_an_overlay_help_and_pause_all_can_be_clicked(server: RosbridgeServer) -> None:
@@ -51,9 +51,9 @@ async def test_in_an_overlay_help_and_pause_all_can_be_clicked(server: Rosbridge
         await it.press("o")
         await click_hint(it, "pause all")
         await it.until(lambda state: all(state.is_paused(robot) for robot in state.robots.values()))
-        assert it.app.main.rest.order_form.is_open
+        assert it.app.main.features.order_form.is_open
         await click_hint(it, "help")
-        assert it.app.main.rest.key_help.is_open
+        assert it.app.main.features.key_help.is_open
 
 
 async def test_a_click_beside_the_hints_does_nothing(server: RosbridgeServer) -> None:
@@ -62,4 +62,4 @@ async def test_a_click_beside_the_hints_does_nothing(server: RosbridgeServer) ->
         before = it.pane("hints")
         await it.pilot.click("#hints", offset=(before.index("? help") - 4, 0))
         await it.settled()
-        assert it.pane("hints") == before and not it.app.main.rest.key_help.is_open
+        assert it.pane("hints") == before and not it.app.main.features.key_help.is_open

@@ -9,9 +9,9 @@ import pytest
 
 from fleet_tui.audit import reader
 from fleet_tui.audit.log import auditing
-from fleet_tui.screens import key_actions
+from fleet_tui.screens.features import Features
 from fleet_tui.screens.main import MainScreen
-from fleet_tui.screens.tables import newest
+from fleet_tui.screens.tables import pane_rows
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.view.tables.fleet import fleet_table
 from tests.support.console_pilot import console
@@ -45,7 +45,7 @@ def logged(caplog: pytest.LogCaptureFixture) -> list[str]:
 async def test_a_key_that_fails_costs_nothing_else(
     server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
-    monkeypatch.setattr(key_actions, "_all_orders", broken([None], key_actions._all_orders))
+    monkeypatch.setattr(Features, "_all_orders", broken([None], Features._all_orders))
     async with console(config_of(server.url, 2, 2)) as it:
         await it.press("*")
         await it.shows(SAID)
@@ -62,7 +62,7 @@ async def test_ticks_that_fail_are_tried_again(
 ) -> None:
     async with console(config_of(server.url, 2, 2)) as it:
         left = [None] * 3
-        monkeypatch.setattr(newest, "fleet_table", broken(left, fleet_table))
+        monkeypatch.setattr(pane_rows, "fleet_table", broken(left, fleet_table))
         await it.until(lambda _state: not left)
         await it.shows(SAID)
         assert logged(caplog) == ["tick: broken here"]
@@ -89,7 +89,7 @@ async def test_the_words_of_a_fault_are_shown_as_text(
     def fails(_self: MainScreen) -> None:
         raise error
 
-    monkeypatch.setattr(key_actions, "_all_orders", fails)
+    monkeypatch.setattr(Features, "_all_orders", fails)
     async with console(config_of(server.url, 2, 2)) as it:
         await it.press("*")
         await it.until(lambda _state: said in it.app.main.notices.text)

@@ -15,7 +15,7 @@ WIDE = (220, 40)
 async def order(it: Console, *places: str) -> None:
     """Place an order by the promised keys. On a busy machine the link may be gone for a moment, and a value
     old: then Enter again, or a yes."""
-    rest, before = it.app.main.rest, len(placed(it.store.state))
+    rest, before = it.app.main.features, len(placed(it.store.state))
     await it.press("o")
     for place in places:
         await it.type(place)
@@ -77,7 +77,7 @@ async def test_an_order_to_a_place_alone(site: Site) -> None:
         await it.press(":")
         await it.type("order robot_0 Receiving")
         await it.press("enter")
-        question = it.app.main.rest.confirm
+        question = it.app.main.features.confirm
         await it.until(lambda state: state.commands or question.is_open)
         if question.is_open:  # a value of the robot was old at that moment: the machine is busy
             await it.press("y")

@@ -42,7 +42,7 @@ async def test_the_menu_acknowledges_by_number_and_names_the_key(server: Rosbrid
 
 async def test_an_alarm_that_is_over_has_no_menu(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 1)) as it:
-        it.app.main.rest.alarms.menu("robot_0", "obstacle")
+        it.app.main.features.alarms.menu("robot_0", "obstacle")
         await it.shows("the alarm of robot_0 has cleared")
 
 
@@ -85,7 +85,7 @@ async def test_a_list_of_things_filters_as_one_types_and_no_letter_is_a_command(
     async with console(config_of(server.url, 1)) as it:
         chosen: list[int] = []
         entries = [(verbatim(f"place {n} (p)"), partial(chosen.append, n)) for n in range(many)]
-        it.app.main.rest.menu.show(Message("Places"), entries, searched=True)
+        it.app.main.features.menu.show(Message("Places"), entries, searched=True)
         await it.shows("Choose")
         await it.type("p 1")
         await it.hides("place 0")
@@ -99,11 +99,11 @@ async def test_actions_keep_their_keys_however_many_they_are(server: RosbridgeSe
         entries = [
             (verbatim(f"action {n} ({'abcdefghilmn'[n]})"), partial(chosen.append, n)) for n in range(12)
         ]
-        it.app.main.rest.menu.show(Message("Actions"), entries)
+        it.app.main.features.menu.show(Message("Actions"), entries)
         await it.shows("9  action 8")
         await it.press("m")
         await it.hides("action 8")
-        it.app.main.rest.menu.show(Message("Actions"), entries)
+        it.app.main.features.menu.show(Message("Actions"), entries)
         await it.press("9")
         await it.hides("action 8")
         assert chosen == [10, 8] and sent(server) == []

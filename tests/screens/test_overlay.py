@@ -23,7 +23,7 @@ async def test_keys_typed_right_after_the_palette_or_help_belong_to_it(
 
 async def test_a_dialog_over_a_list_gives_it_back_and_over_nothing_the_map(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 1)) as it:
-        rest = it.app.main.rest
+        rest = it.app.main.features
         await it.press("J")
         rest.confirm.ask(lambda: verbatim("Really?"), lambda: None)
         await it.shows("Really?")

@@ -83,7 +83,7 @@ async def test_a_program_is_started_and_stopped_after_a_question_and_audited(
             await it.shows("nav: stop confirmed")
             await it.press("escape")
             await it.hides("Programs")
-            assert it.app.main.focused is it.app.main.rest.map
+            assert it.app.main.focused is it.app.main.features.map
     assert audited(tmp_path) == [
         *("program start nav: sent", "program start nav: confirmed"),
         *("program stop nav: sent", "program stop nav: confirmed"),
@@ -158,7 +158,7 @@ async def test_a_fault_of_our_own_and_a_closed_console_leave_an_outcome(
             monkeypatch.setattr(controller, "change", fails)
             await it.press("j", "enter", "1", "y")
             await it.shows("nav: start not confirmed (internal error: broken)")
-            (task,) = it.app.main.rest.programs.requests.under_way
+            (task,) = it.app.main.features.programs.requests.under_way
         task.cancel()
         await asyncio.wait({task})
     assert audited(tmp_path) == [
@@ -221,7 +221,7 @@ async def test_nothing_runs_once_it_is_closed(server: RosbridgeServer, tmp_path:
         await it.press("J")
         await it.shows("● running", PANE)
         await it.press("escape")
-        overlay = it.app.main.rest.programs
+        overlay = it.app.main.features.programs
         overlay.tick()
         assert not [
             task for task in asyncio.all_tasks() if "ProgramWatch" in repr(task) and not task.cancelling()

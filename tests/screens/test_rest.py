@@ -33,10 +33,10 @@ async def test_the_first_picture_is_the_console_without_its_map(
     app.driver_class = PlayedDriver
     seen: list[str] = []
 
-    async def mount_rest() -> None:
+    async def mount_features() -> None:
         seen.extend("".join(cell[0] for cell in row) for row in shown(terminal_of(app)))
 
-    app.main.mount_rest = mount_rest  # type: ignore[method-assign]  # the rest never comes
+    app.main.mount_features = mount_features  # type: ignore[method-assign]  # the rest never comes
     async with app.run_test(headless=False, size=size) as pilot:
         await pilot.pause()
     picture = "\n".join(seen)
@@ -49,7 +49,7 @@ async def test_keys_typed_before_anything_is_painted_open_and_fill_the_form(serv
     async with console(config_of(server.url, 1), wait=False) as it:
         assert not it.app.main.is_complete
         await it.type("oBase")
-        assert it.app.main.rest.order_form.is_open
+        assert it.app.main.features.order_form.is_open
         assert it.app.focused is not None
         await it.shows("Base")
         assert getattr(it.app.focused, "value", None) == "Base"

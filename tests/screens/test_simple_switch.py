@@ -16,7 +16,7 @@ async def test_it_comes_and_goes_and_pausing_works_within(
     async with console(config_of(server.url, 2), size) as it:
         await it.press("s")
         await it.shows("From: choose")
-        assert (it.app.main.rest.map.region.height > 0) is has_map
+        assert (it.app.main.features.map.region.height > 0) is has_map
         await it.press("enter")
         await it.shows("From where?")
         await it.press("f12")
@@ -25,12 +25,12 @@ async def test_it_comes_and_goes_and_pausing_works_within(
         await it.shows("From: choose")
         await it.press("s")
         await it.shows_a_label()
-        assert it.app.main.focused is it.app.main.rest.map
+        assert it.app.main.focused is it.app.main.features.map
         await it.press("s")
         await it.shows("Esc: back to the map")
         await it.press("escape")
         await it.shows_a_label()
-        assert it.app.main.focused is it.app.main.rest.map
+        assert it.app.main.focused is it.app.main.features.map
 
 
 async def test_a_tick_while_it_is_being_made(
@@ -55,4 +55,4 @@ async def test_a_tick_while_its_widgets_go(server: RosbridgeServer) -> None:
         await it.shows("From: choose")
         await it.app.main.query_one("#simple-robot").remove()
         await it.press(".")
-        it.app.main.rest.simple.show()
+        it.app.main.features.simple.show()

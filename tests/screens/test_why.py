@@ -192,7 +192,7 @@ async def test_diagnostics_open_where_the_first_cause_is(server: RosbridgeServer
         await it.shows("2. drive: ERROR no odometry")
         await it.press("d")
         await it.shows("Robot log")
-        it.app.main.rest.diagnostics.show("robot_1", Reason(Message("no odometry"), EMPTY, page="health"))
+        it.app.main.features.diagnostics.show("robot_1", Reason(Message("no odometry"), EMPTY, page="health"))
         await it.shows("Robot diagnostics")
         await it.shows("▸✗ ERROR", "diagnostics-rows")
         marked = next(line for line in it.pane("diagnostics-rows").splitlines() if "▸" in line)

@@ -1,13 +1,13 @@
 """The controllers of a console without a screen: what they say, ask, open and send."""
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
+from fleet_tui.controllers.console import Console, InBackground
 from fleet_tui.controllers.dispatch import Dispatch
 from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.controllers.navigation import Navigation
 from fleet_tui.controllers.notices import Notices
-from fleet_tui.controllers.session import SessionParts
 from fleet_tui.controllers.settings import ConsoleSettings
 from fleet_tui.controllers.tables.marked import MarkedCommands
 from fleet_tui.controllers.typed import Entry
@@ -125,7 +125,9 @@ class Desk:
         self, state: FleetState, permissions: Permissions | None = None, refusal: Message = EMPTY
     ) -> None:
         self.store, self.backend = Store(state), CollectingBackend(refusal)
-        self.notices = Notices(self.store, lambda: None)
+        self.notices = Notices(self.store, self._hear)
+        self.said: list[str] = []
+        """Notices, each once."""
         self.answers: list[Callable[[], None]] = []
         self.menus: list[Menu] = []
         self.selected: list[str] = []
@@ -133,31 +135,41 @@ class Desk:
         allowed = permissions or Permissions()
         self.dispatch = Dispatch(self.store, self.backend, allowed, self.notices, self.ask)
         self.navigation = Navigation(self.store, self.selected.append, lambda: self.camera, lambda: None)
+        self.begun: list[str] = []
+        """Lines with which the palette was opened."""
+        self.in_background: InBackground = lambda work, then: then(work())
         self.marks: list[str] = []
         self.outcomes: list[tuple[Command, str]] = []
         self.asked: list[str] = []
         self.marked = MarkedCommands(
-            self.store,
-            self.dispatch,
-            self.ask,
+            self.console(),
             lambda: self.marks,
             lambda told, _since: self.outcomes.extend(told),
             self.marks.clear,
         )
 
-    @property
-    def parts(self) -> SessionParts:
-        """The parts of a session, without a map."""
-        settings = ConsoleSettings(
-            KEYS,
-            lambda _wall: "12:00:00",
-            self.dispatch.permissions,
-            Drawing.ASCII,
-            {},
-            lambda _state: None,
-            lambda: None,
+    def console(self, files: ConsoleFiles | None = None, **settings: Any) -> Console:
+        """A console with these files and settings, on this desk; what it does in a thread is done at once."""
+        chosen = {"keys": KEYS, "clock": lambda _wall: "12:00:00", "permissions": self.dispatch.permissions}
+        chosen |= {"drawing": Drawing.ASCII, "themes": {}, "announce": lambda _state: None}
+        return Console(
+            store=self.store,
+            backend=self.backend,
+            dispatch=self.dispatch,
+            notices=self.notices,
+            navigation=self.navigation,
+            files=files or ConsoleFiles(),
+            settings=ConsoleSettings(**{**chosen, "resized": lambda: None, **settings}),
+            ask=self.ask,
+            open_menu=self.open_menu,
+            begin=self.begun.append,
+            in_background=lambda work, then: self.in_background(work, then),
+            say_from_thread=self.notices.say,
         )
-        return SessionParts(self.dispatch, self.notices, ConsoleFiles(), settings, lambda: False)
+
+    def _hear(self) -> None:
+        if self.notices.text:
+            self.said.append(self.notices.text)
 
     def ask(self, question: Callable[[], str], then: Callable[[], None]) -> None:
         self.asked.append(question())

@@ -14,7 +14,6 @@ from fleet_tui.controllers.editing.route_files import RouteFiles
 from fleet_tui.controllers.editing.sending import DraftSending
 from fleet_tui.controllers.editing.values import VertexValues
 from fleet_tui.controllers.files import ConsoleFiles
-from fleet_tui.controllers.parts import SetUpParts
 from fleet_tui.maps.draft_file import DraftFile
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.graphs.document import DocumentFloor
@@ -27,32 +26,29 @@ from tests.support.map_pane import Pane
 
 
 class DrawnGraph:
-    """The editor, its drawing, the desk it stands on and the lines that it began in the palette."""
+    """The editor, its drawing and the desk it stands on."""
 
     def __init__(self, pane: Pane, state: FleetState, folder: Path | None, may: Permissions | None) -> None:
-        self.pane, self.desk, self.lines = pane, Desk(state, may), list[str]()
+        self.pane, self.desk = pane, Desk(state, may)
         self.draft_files = list[DraftFile]()
         self.picture = pane.map.picture
         desk = self.desk
-        parts = self.parts = SetUpParts(
-            desk.store, desk.dispatch, desk.navigation, desk.notices, desk.open_menu, self.lines.append
-        )
-        self.editor = GraphEditor(
-            parts,
-            pane.controls,
-            self.picture,
-            lambda floor: None if folder is None else self._draft_file(folder, floor),
-        )
-        self.checks = DraftChecks(parts, self.editor, lambda work, then: then(work()))
         self.graph_file: Path | None = None
-        files = ConsoleFiles(graph_file=lambda _floor: self.graph_file, folder=folder)
+        files = ConsoleFiles(
+            graph_file=lambda _floor: self.graph_file,
+            folder=folder,
+            draft=lambda floor: None if folder is None else self._draft_file(folder, floor),
+        )
+        console = self.console = desk.console(files)
+        self.editor = GraphEditor(console, pane.controls, self.picture)
+        self.checks = DraftChecks(console, self.editor)
         old_files = OldFiles()
-        self.files = DraftFiles(parts, self.editor, self.checks, files, desk.ask, old_files)
-        route_files = RouteFiles(parts, self.editor, files, desk.backend.post, old_files)
-        self.sending = DraftSending(parts, self.editor, self.checks, files, route_files)
-        self.values = VertexValues(parts, self.editor)
-        self.edge_values = EdgeValues(parts, self.editor)
-        self.drawing = GraphDrawing(parts, self.editor, self.values, self.edge_values)
+        self.files = DraftFiles(console, self.editor, self.checks, old_files)
+        self.route_files = RouteFiles(console, self.editor, old_files)
+        self.sending = DraftSending(console, self.editor, self.checks, self.route_files)
+        self.values = VertexValues(console, self.editor)
+        self.edge_values = EdgeValues(console, self.editor)
+        self.drawing = GraphDrawing(console, self.editor, self.values, self.edge_values)
         pane.map.show(floor_scene(state, desk.navigation.selection))
 
     def _draft_file(self, folder: Path, floor: str) -> DraftFile:

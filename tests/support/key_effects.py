@@ -26,12 +26,12 @@ def focus(it: Console) -> str | None:
 
 
 def _drawing(it: Console) -> object:
-    rest = it.app.main.rest
+    rest = it.app.main.features
     return id(rest.editor.draft), rest.map.picture.options, overlays(it), it.app.main.notices.text
 
 
 def _placed(it: Console) -> object:
-    mode = it.app.main.rest.poses.mode
+    mode = it.app.main.features.poses.mode
     return overlays(it), mode and mode.yaw, it.app.main.notices.text
 
 
@@ -43,11 +43,11 @@ PARTS: Mapping[str, Part] = {
     "robot": lambda it: it.app.main.navigation.robot,
     "floor": lambda it: it.app.main.navigation.floor,
     "view": lambda it: it.pane("map"),
-    "zoom": lambda it: it.app.main.rest.map.picture.viewport.zoom_robot,
-    "follow": lambda it: it.app.main.rest.map.picture.viewport.follow,
-    "options": lambda it: it.app.main.rest.map.picture.options,
+    "zoom": lambda it: it.app.main.features.map.picture.viewport.zoom_robot,
+    "follow": lambda it: it.app.main.features.map.picture.viewport.follow,
+    "options": lambda it: it.app.main.features.map.picture.options,
     "notice": lambda it: it.app.main.notices.text,
-    "mode": lambda it: it.app.main.rest.map_pane,
+    "mode": lambda it: it.app.main.features.map_pane,
     "sent": lambda it: len(it.store.state.commands),
     "alarms": lambda it: it.store.state.unacknowledged,
     "enlarged": lambda it: it.app.main.panes.is_enlarged,
@@ -59,7 +59,7 @@ PARTS: Mapping[str, Part] = {
     "row": lambda it: it.app.main.fleet.listing.cursor,
     # All columns are visible: rows that are not longer than their pane look the same.
     "slid": lambda it: it.app.main.fleet.listing._slid,
-    "answer": lambda it: (it.app.main.rest.map_pane, it.app.main.notices.text, overlays(it)),
+    "answer": lambda it: (it.app.main.features.map_pane, it.app.main.notices.text, overlays(it)),
     "draft": _drawing,
     "place": _placed,
     "diagnostics": _diagnostics,
@@ -107,4 +107,4 @@ async def close_all(it: Console) -> None:
     """Close every overlay, with the focus on the map."""
     while overlays(it):
         await it.press("escape")
-    it.app.main.set_focus(it.app.main.rest.map)
+    it.app.main.set_focus(it.app.main.features.map)

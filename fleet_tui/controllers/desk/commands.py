@@ -1,11 +1,10 @@
 """The typed lines of the desk: `claim`, `release`, `close`, `open`, `desk`."""
 
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from functools import partial
 
-from fleet_tui.controllers.files import ConsoleFiles
-from fleet_tui.controllers.parts import SetUpParts
+from fleet_tui.controllers.console import Console
 from fleet_tui.controllers.typed import Entry, Typed
 from fleet_tui.errors import CommandError
 from fleet_tui.model.desk.desk import Ends
@@ -31,17 +30,11 @@ USAGE = {
 class DeskCommands:
     """Claims robots and closes edges; without a desk, edges are closed on this console alone."""
 
-    def __init__(
-        self,
-        parts: SetUpParts,
-        files: ConsoleFiles,
-        post: Callable[[Event], Message],
-        clock: Callable[[float], str],
-    ) -> None:
-        self._parts = parts
-        self._files = files
-        self._post = post
-        self._clock = clock
+    def __init__(self, console: Console) -> None:
+        self._console = console
+        self._files = console.files
+        self._post = console.backend.post
+        self._clock = console.settings.clock
 
     def typed(self, line: str) -> Typed | None:
         """Parse a typed line, None if it is not about the desk."""
@@ -49,7 +42,7 @@ class DeskCommands:
         verb = verb.casefold()
         if verb not in USAGE:
             return None
-        if refusal := self._parts.dispatch.desk_refusal() if verb != "desk" else EMPTY:
+        if refusal := self._console.dispatch.desk_refusal() if verb != "desk" else EMPTY:
             return Typed(problem=refusal)
         try:
             return Typed([self._entry(verb, words)], self._completed(verb, words))
@@ -71,14 +64,14 @@ class DeskCommands:
         raise CommandError(Message("usage: {usage}", usage=USAGE[verb]))
 
     def _completed(self, verb: str, words: list[str]) -> list[str]:
-        state, typed = self._parts.store.state, words[-1] if words else ""
+        state, typed = self._console.store.state, words[-1] if words else ""
         match verb:
             case "claim":
                 found = [f"claim {name}" for name in state.robots if name not in state.desk.claims]
             case "release":
                 found = [f"release {name}" for name in state.desk.claims]
             case "open":
-                closed = state.desk.closed_on(self._parts.navigation.floor)
+                closed = state.desk.closed_on(self._console.navigation.floor)
                 found = [f"open {edge_text(self._robot, edge.ends, ' ')}" for edge in closed]
             case _:
                 found = []
@@ -86,13 +79,13 @@ class DeskCommands:
 
     @property
     def _robot(self) -> Robot:
-        return self._parts.store.state.robots[self._parts.navigation.robot]
+        return self._console.store.state.robots[self._console.navigation.robot]
 
     def _edge(self, start: str, end: str) -> Ends:
-        return edge_named(self._robot, self._parts.navigation.floor, start, end)
+        return edge_named(self._robot, self._console.navigation.floor, start, end)
 
     def _claim(self, word: str) -> Entry:
-        state = self._parts.store.state
+        state = self._console.store.state
         robot = find_robot(word, state).name
         if not state.desk.me:
             raise CommandError(Message("no desk: set [desk] folder in the configuration"))
@@ -109,7 +102,7 @@ class DeskCommands:
         )
 
     def _release(self, word: str) -> Entry:
-        state = self._parts.store.state
+        state = self._console.store.state
         robot = find_robot(word, state).name
         if robot not in state.desk.claims:
             raise CommandError(Message("{robot} is not claimed by this console", robot=robot))
@@ -119,7 +112,7 @@ class DeskCommands:
 
     def _close(self, ends: Ends) -> Entry:
         named = edge_text(self._robot, ends)
-        impact = impact_text(cut_orders(self._parts.store.state, ends))
+        impact = impact_text(cut_orders(self._console.store.state, ends))
         done = Message("closed {named}: {impact}", named=named, impact=impact)
         if not self._files.desk:
             done += Message(", not shared: no desk")
@@ -129,7 +122,7 @@ class DeskCommands:
 
     def _open(self, ends: Ends) -> Entry:
         named = edge_text(self._robot, ends)
-        if all(edge.ends != ends for edge in self._parts.store.state.desk.closed):
+        if all(edge.ends != ends for edge in self._console.store.state.desk.closed):
             raise CommandError(Message("{named} is not closed", named=named))
         return Message("Open {named}", named=named), partial(
             self._do, EdgeOpened(ends), "edge opened", Message("opened {named}", named=named)
@@ -138,15 +131,15 @@ class DeskCommands:
     def _do(self, event: Event, change: str, done: Message) -> None:
         """Apply a change, and write it to the audit log."""
         if problem := self._post(event):
-            self._parts.notices.say(problem)
+            self._console.notices.say(problem)
             return
         self._files.log(change, done)
-        self._parts.notices.say(sanitize(done))
+        self._console.notices.say(sanitize(done))
 
     def explain_edge(self, at: tuple[float, float]) -> bool:
         """List the orders that a closed edge at a place of the map cuts, and offer to open it; tell whether
         there is one."""
-        state, robot, floor = self._parts.store.state, self._robot, self._parts.navigation.floor
+        state, robot, floor = self._console.store.state, self._robot, self._console.navigation.floor
         graph = robot.maps[floor].graph if floor in robot.maps else None
         edge = closed_edge_at(state.desk.closed_on(floor), graph, at) if graph is not None else None
         if edge is None:
@@ -154,17 +147,17 @@ class DeskCommands:
         cut = cut_orders(state, edge.ends)
         head = Message("{edge}: {impact}", edge=edge_text(robot, edge.ends), impact=impact_text(cut))
         lines = [head, *impact_lines(state, cut)]
-        entries: list[Entry] = [] if self._parts.dispatch.desk_refusal() else [self._open(edge.ends)]
-        self._parts.open_menu(
+        entries: list[Entry] = [] if self._console.dispatch.desk_refusal() else [self._open(edge.ends)]
+        self._console.open_menu(
             joined("\n", map(sanitize, lines)), [*entries, (Message("Close this"), lambda: None)]
         )
         return True
 
     def menu(self) -> None:
         """List who is at the desk, with the way to what each looks at, and closed edges."""
-        desk = self._parts.store.state.desk
+        desk = self._console.store.state.desk
         if not desk.me and not desk.closed:
-            self._parts.notices.say(Message("no desk: set [desk] folder in the configuration"))
+            self._console.notices.say(Message("no desk: set [desk] folder in the configuration"))
             return
         mine = Message("{me} (this console){claims}", me=desk.me, claims=_claims(desk.claims))
         title = Message("Desk: {mine}", mine=sanitize(mine) if desk.me else Message("none"))
@@ -179,10 +172,10 @@ class DeskCommands:
                 "closed {time} by {by}: {named}", time=self._clock(edge.wall), by=by, named=named
             )
             title += "\n" + sanitize(closed)
-        self._parts.open_menu(title, list(self._entries()), searched=True)
+        self._console.open_menu(title, list(self._entries()), searched=True)
 
     def _entries(self) -> Iterator[Entry]:
-        state, find = self._parts.store.state, self._parts.navigation.find_robot
+        state, find = self._console.store.state, self._console.navigation.find_robot
         for one in state.desk.others:
             looks = Message(" looks at {robot}", robot=one.robot) if one.robot in state.robots else EMPTY
             there = Message(

@@ -1,14 +1,12 @@
 """Driving by hand: from the key to the robot, and every reason to end it."""
 
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 
 from fleet_tui.adapters.profile import DriveConfig
-from fleet_tui.backend import Backend
-from fleet_tui.controllers.dispatch import Ask
+from fleet_tui.controllers.console import Console
 from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.controllers.map import MapControls
-from fleet_tui.controllers.parts import SetUpParts
 from fleet_tui.errors import CommandError
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
@@ -113,27 +111,23 @@ class DriveControls:
 
     def __init__(
         self,
-        parts: SetUpParts,
-        backend: Backend,
+        console: Console,
         *,
-        limits: Mapping[str, DriveConfig],
         controls: MapControls,
         picture: MapPicture,
-        journal: DriveJournal,
-        ask: Ask,
         focus: Callable[[], None],
         is_shown: Callable[[], bool],
         passes: frozenset[str],
         tell_releases: Callable[[bool], None],
         clock: Callable[[], float] = time.monotonic,
     ) -> None:
-        self._parts = parts
-        self._backend = backend
-        self._by_robot = limits
+        self._console = console
+        self._backend = console.backend
+        self._by_robot = console.settings.drive
         self._controls = controls
         self._picture = picture
-        self._journal = journal
-        self._ask = ask
+        self._journal = DriveJournal(console.files)
+        self._ask = console.ask
         self._focus = focus
         self._is_shown = is_shown
         self._passes = passes
@@ -155,9 +149,13 @@ class DriveControls:
         return mode if isinstance(mode, DriveMode) else None
 
     @property
+    def _state(self) -> FleetState:
+        return self._console.store.state
+
+    @property
     def _robot(self) -> Robot:
-        name = self.mode.robot if self.mode is not None else self._parts.navigation.robot
-        return self._parts.store.state.robots[name]
+        name = self.mode.robot if self.mode is not None else self._console.navigation.robot
+        return self._console.store.state.robots[name]
 
     @property
     def _limits(self) -> DriveConfig:
@@ -170,13 +168,13 @@ class DriveControls:
     def _refusal(self) -> Message:
         if not self._is_shown():
             return Message("no map in view: close the camera (V), or enlarge the terminal")
-        return self._parts.dispatch.set_up_refusal() or drive_refusal(self._parts.store.state, self._robot)
+        return self._console.dispatch.set_up_refusal() or drive_refusal(self._state, self._robot)
 
     def start(self) -> None:
         """Drive the selected robot, after a question if it may not stop by itself."""
-        name = self._parts.navigation.robot
+        name = self._console.navigation.robot
         if refusal := self._refusal():
-            self._parts.notices.say(sanitize(refusal))
+            self._console.notices.say(sanitize(refusal))
         elif self._limits.robot_timeout is None:
             question = Message(
                 "{name} may not stop by itself when the link is cut: drive all the same?", name=name
@@ -188,18 +186,18 @@ class DriveControls:
     def _begin(self, name: str) -> None:
         """Begin, checked again: much may have changed during the question."""
         try:
-            if self._parts.navigation.robot != name:
+            if self._console.navigation.robot != name:
                 raise CommandError(Message("another robot is selected"))
             if refusal := self._refusal():
                 raise CommandError(refusal)
             self.drive = self._backend.drive(name)
         except CommandError as problem:
-            self._parts.notices.say(sanitize(Message("not driven: {problem}", problem=problem)))
+            self._console.notices.say(sanitize(Message("not driven: {problem}", problem=problem)))
             return
         self._hand, self._share, self._steered, self._looked = Hand(), FIRST, False, self._clock()
         self._journal.begin(name, self._clock())
-        self._parts.navigation.find_robot(name)
-        floor, view = self._parts.navigation.floor, self._picture.viewport
+        self._console.navigation.find_robot(name)
+        floor, view = self._console.navigation.floor, self._picture.viewport
         self._followed = view.follow
         view.follow = True
         mode = DriveMode(
@@ -214,7 +212,7 @@ class DriveControls:
         self._tell_releases(True)
         self._focus()
         # In the place of why the last drive ended.
-        self._parts.notices.say(
+        self._console.notices.say(
             sanitize(Message("{name} drives while a key is held; this is not an emergency stop", name=name))
         )
 
@@ -225,7 +223,7 @@ class DriveControls:
             return
         if key in SIDEWAYS and not self._limits.holonomic:
             self.stop()
-            self._parts.notices.say(
+            self._console.notices.say(
                 sanitize(Message("no sideways: holonomic is false for {name}", name=self._robot.name))
             )
             return
@@ -267,7 +265,7 @@ class DriveControls:
         drive.end(reason)
         mode.state = drive.state
         self._journal.end(drive.state.reason, self._clock())
-        self._parts.notices.note(
+        self._console.notices.note(
             sanitize(
                 Message(
                     "{robot} is not driven any more: {reason}", robot=mode.robot, reason=drive.state.reason
@@ -302,7 +300,7 @@ class DriveControls:
             self._leave_mode()
 
     def _reason_to_end(self, mode: DriveMode, scene: Scene) -> Message:
-        if self._parts.navigation.robot != mode.robot:
+        if self._console.navigation.robot != mode.robot:
             return Message("another robot")
         if scene.floor != mode.floor:
             return Message("another floor")
@@ -315,7 +313,7 @@ class DriveControls:
             return
         mode.share = self._share
         asked = wanted(self._hand, now, self._share, self._caps)
-        state = self._parts.store.state
+        state = self._console.store.state
         mode.clearance = self._clearance.of(state, state.robots[mode.robot], asked, now)
         speeds = asked if mode.clearance is None else slowed(asked, mode.clearance)
         if self._steered or speeds != STILL:

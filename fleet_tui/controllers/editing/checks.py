@@ -4,8 +4,8 @@ import logging
 from functools import partial
 from typing import NamedTuple
 
+from fleet_tui.controllers.console import Console
 from fleet_tui.controllers.editing.editor import GraphEditor, live_floor
-from fleet_tui.controllers.parts import InBackground, SetUpParts
 from fleet_tui.controllers.typed import Entry
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.graph import Role
@@ -36,10 +36,10 @@ class DraftChecks:
     """Checks the draft after each step, one check at a time and off the loop; the counts are in the
     banner."""
 
-    def __init__(self, parts: SetUpParts, editor: GraphEditor, in_background: InBackground) -> None:
-        self._parts = parts
+    def __init__(self, console: Console, editor: GraphEditor) -> None:
+        self._console = console
         self._editor = editor
-        self._in_background = in_background
+        self._in_background = console.in_background
         self._newest: DocumentFloor | None = None
         self._last: Checked | None = None
         self._is_busy = False
@@ -66,13 +66,13 @@ class DraftChecks:
         """Return the check of a draft, None while it is under way; say so."""
         if self._last is not None and self._last.floor is floor:
             return self._last
-        self._parts.notices.say(Message("the draft is being checked: press again"))
+        self._console.notices.say(Message("the draft is being checked: press again"))
         return None
 
     def inputs(self, floor: DocumentFloor) -> LintInputs:
         """Return all that is known beside a draft."""
-        state, scene = self._parts.store.state, self._editor.picture.scene
-        robot, live = state.robots[self._parts.navigation.robot], self._editor.live_graph()
+        state, scene = self._console.store.state, self._editor.picture.scene
+        robot, live = state.robots[self._console.navigation.robot], self._editor.live_graph()
         return LintInputs(
             grid=scene.grid if scene is not None and scene.floor == floor.name else None,
             width=robot.size[1] if robot.size else LintInputs().width,
@@ -103,7 +103,7 @@ class DraftChecks:
             counts_text=counts_text(checked.found) or Message("no findings"),
             ways=checked.ways,
         )
-        self._parts.open_menu(title, entries or [(Message("Nothing to fix"), lambda: None)], searched=True)
+        self._console.open_menu(title, entries or [(Message("Nothing to fix"), lambda: None)], searched=True)
 
     def compare(self) -> None:
         """List the differences from the live graph; each entry goes to its place."""
@@ -121,13 +121,13 @@ class DraftChecks:
         title = counted(
             "{count} difference from the live graph", "{count} differences from the live graph", len(changes)
         )
-        self._parts.open_menu(
+        self._console.open_menu(
             title, entries or [(Message("The draft is the live graph"), lambda: None)], searched=True
         )
 
     def changes(self, floor: DocumentFloor) -> tuple[GraphChange, ...]:
         """Return the differences of a draft from the live graph."""
-        live = live_floor(self._parts.store.state, self._parts.navigation.selection)
+        live = live_floor(self._console.store.state, self._console.navigation.selection)
         return difference(live, floor)
 
     def _go_to_change(self, change: GraphChange) -> None:
@@ -146,11 +146,11 @@ class DraftChecks:
         start = draft.floor.edges[mode.edge].start if mode.edge else vertex
         at = draft.floor.vertices.get(start)
         if at is None:
-            self._parts.notices.say(Message("no longer in the draft"))
+            self._console.notices.say(Message("no longer in the draft"))
             return
         mode.selected = "" if mode.edge else start
         mode.cursor = (at.x, at.y)
-        self._parts.navigation.find_vertex(draft.floor.name, at.x, at.y)
+        self._console.navigation.find_vertex(draft.floor.name, at.x, at.y)
         self._editor.refresh()
 
 

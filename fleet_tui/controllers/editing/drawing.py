@@ -5,10 +5,10 @@ from functools import partial
 
 from msgspec.structs import replace
 
+from fleet_tui.controllers.console import Console
 from fleet_tui.controllers.editing.edge_values import COST, SPEED, EdgeValues, values_text
 from fleet_tui.controllers.editing.editor import GraphEditor
 from fleet_tui.controllers.editing.values import HEADING, VertexValues
-from fleet_tui.controllers.parts import SetUpParts
 from fleet_tui.controllers.typed import Entry
 from fleet_tui.model.graphs.document import DocumentVertex
 from fleet_tui.model.graphs.draft import GraphDraft
@@ -27,10 +27,10 @@ class GraphDrawing:
     """Turns keys and the mouse into steps of the draft."""
 
     def __init__(
-        self, parts: SetUpParts, editor: GraphEditor, values: VertexValues, edge_values: EdgeValues
+        self, console: Console, editor: GraphEditor, values: VertexValues, edge_values: EdgeValues
     ) -> None:
-        self._parts = parts
-        self._notices = parts.notices
+        self._console = console
+        self._notices = console.notices
         self._editor = editor
         self._values = values
         self._edge_values = edge_values
@@ -64,7 +64,7 @@ class GraphDrawing:
 
     def add_at_robot(self) -> None:
         """Add a vertex at the selected robot's pose, with its heading."""
-        opened, robot = self._editor.opened, self._parts.store.state.robots[self._parts.navigation.robot]
+        opened, robot = self._editor.opened, self._console.store.state.robots[self._console.navigation.robot]
         if opened is None:
             return
         draft, mode, _ = opened
@@ -73,7 +73,7 @@ class GraphDrawing:
             self._notices.say(
                 Message("{name} has no pose on {floor}", name=robot.name, floor=sanitize(draft.floor.name))
             )
-        elif self._parts.store.state.now - pose.at > OLD_POSE:
+        elif self._console.store.state.now - pose.at > OLD_POSE:
             self._notices.say(Message("the pose of {name} is old: not used", name=robot.name))
         else:
             x, y = round(pose.value.x, 3), round(pose.value.y, 3)
@@ -157,11 +157,11 @@ class GraphDrawing:
             )
             entries: list[Entry] = [
                 (Message("Direction (d)"), self.turn),
-                (Message("Speed"), partial(self._parts.begin, f"{SPEED} ")),
-                (Message("Cost"), partial(self._parts.begin, f"{COST} ")),
+                (Message("Speed"), partial(self._console.begin, f"{SPEED} ")),
+                (Message("Cost"), partial(self._console.begin, f"{COST} ")),
                 (Message("Remove (x)"), self.remove),
             ]
-            self._parts.open_menu(sanitize(Message("edge {id}: {facts}", id=edge.id, facts=told)), entries)
+            self._console.open_menu(sanitize(Message("edge {id}: {facts}", id=edge.id, facts=told)), entries)
             return
         vertex = draft.floor.vertices[mode.selected]
         heading = (
@@ -175,7 +175,7 @@ class GraphDrawing:
             type=vertex.type or "none",
             heading=heading,
         )
-        self._parts.open_menu(
+        self._console.open_menu(
             sanitize(
                 Message(
                     "vertex {id} at {x}, {y} m: {facts}",
@@ -188,7 +188,7 @@ class GraphDrawing:
             [
                 (Message("Label (n)"), self._values.name),
                 (Message("Type (t)"), self._values.choose_type),
-                (Message("Heading"), partial(self._parts.begin, f"{HEADING} ")),
+                (Message("Heading"), partial(self._console.begin, f"{HEADING} ")),
                 (Message("Move (m)"), self.hold),
                 (Message("Remove (x)"), self.remove),
             ],

@@ -5,8 +5,8 @@ from functools import partial
 
 from msgspec.structs import replace
 
+from fleet_tui.controllers.console import Console
 from fleet_tui.controllers.editing.editor import GraphEditor
-from fleet_tui.controllers.parts import SetUpParts
 from fleet_tui.controllers.typed import Typed
 from fleet_tui.model.graphs.document import DocumentEdge
 from fleet_tui.rules.graphs import edits
@@ -21,8 +21,8 @@ _EXPECTED = {SPEED: Message("speed in m/s, above 0, or: any"), COST: Message("co
 class EdgeValues:
     """Typed into the palette."""
 
-    def __init__(self, parts: SetUpParts, editor: GraphEditor) -> None:
-        self._notices = parts.notices
+    def __init__(self, console: Console, editor: GraphEditor) -> None:
+        self._notices = console.notices
         self._editor = editor
 
     def chosen(self) -> DocumentEdge | None:

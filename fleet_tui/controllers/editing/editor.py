@@ -4,8 +4,8 @@ from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 
+from fleet_tui.controllers.console import Console
 from fleet_tui.controllers.map import MapControls
-from fleet_tui.controllers.parts import SetUpParts
 from fleet_tui.maps.draft_file import Done, DraftFile, Line, Redone, Undone
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.graph import RouteGraph
@@ -25,17 +25,15 @@ class GraphEditor:
     """Owns the draft of one floor while it is edited. `changed` is called after every step with the floor,
     and with None when the editor is left."""
 
-    def __init__(
-        self,
-        parts: SetUpParts,
-        controls: MapControls,
-        picture: MapPicture,
-        file_of: Callable[[str], DraftFile | None],
-    ) -> None:
-        self._store, self._dispatch, self._navigation, self._notices, self._open_menu, _ = parts
+    def __init__(self, console: Console, controls: MapControls, picture: MapPicture) -> None:
+        self._store = console.store
+        self._dispatch = console.dispatch
+        self._navigation = console.navigation
+        self._notices = console.notices
+        self._open_menu = console.open_menu
         self._controls = controls
         self.picture = picture
-        self._file_of = file_of
+        self._file_of = console.files.draft
         self._file: DraftFile | None = None
         self._edges: bool | None = None
         self.draft: GraphDraft | None = None

@@ -7,12 +7,10 @@ from pathlib import Path
 from msgspec.structs import replace
 
 from fleet_tui.config.schema import expanded
-from fleet_tui.controllers.dispatch import Ask
+from fleet_tui.controllers.console import Console
 from fleet_tui.controllers.editing.checks import DraftChecks, counts_text
 from fleet_tui.controllers.editing.editor import GraphEditor
 from fleet_tui.controllers.editing.old_files import OldFiles
-from fleet_tui.controllers.files import ConsoleFiles
-from fleet_tui.controllers.parts import SetUpParts
 from fleet_tui.controllers.typed import Typed
 from fleet_tui.errors import GraphError
 from fleet_tui.graph_files.graph_file import MissingChoiceError, ReadChoices, WriteChoices
@@ -37,19 +35,13 @@ class DraftFiles:
     LIF wants the type of the vehicles."""
 
     def __init__(
-        self,
-        parts: SetUpParts,
-        editor: GraphEditor,
-        checks: DraftChecks,
-        files: ConsoleFiles,
-        ask: Ask,
-        old_files: OldFiles,
+        self, console: Console, editor: GraphEditor, checks: DraftChecks, old_files: OldFiles
     ) -> None:
-        self._parts = parts
+        self._console = console
         self._editor = editor
         self._checks = checks
-        self._files = files
-        self._ask = ask
+        self._files = console.files
+        self._ask = console.ask
         self._old_files = old_files
 
     def write(self) -> None:
@@ -59,7 +51,7 @@ class DraftFiles:
             return
         path = self._files.graph_file(opened[0].floor.name)
         if path is None:
-            self._parts.begin(f"{WORD} {file_name(opened[0].floor.name)}.yaml")
+            self._console.begin(f"{WORD} {file_name(opened[0].floor.name)}.yaml")
         else:
             self._write(path, None, "")
 
@@ -92,7 +84,7 @@ class DraftFiles:
 
     def _write(self, path: Path, wanted: GraphFormat | None, vehicle: str) -> None:
         """Write, after a question if a file is replaced, something is lost or wrong."""
-        opened, say = self._editor.opened, self._parts.notices.say
+        opened, say = self._editor.opened, self._console.notices.say
         if opened is None or (checked := self._checks.of(opened[0].floor)) is None:
             return
         floor = checked.floor
@@ -132,7 +124,7 @@ class DraftFiles:
         try:
             kept = self._old_files.save(path, text)
         except GraphError as problem:
-            self._parts.notices.say(sanitize(Message("{path}: {problem}", path=path, problem=problem)))
+            self._console.notices.say(sanitize(Message("{path}: {problem}", path=path, problem=problem)))
             return
         where = str(path).replace(str(Path.home()), "~", 1)
         said = Message(
@@ -145,7 +137,7 @@ class DraftFiles:
         if kept is not None:
             said += Message("; the old file is {name}", name=kept.name)
         self._files.log("graph written", f"{floor.name}: {said}")
-        self._parts.notices.say(sanitize(said))
+        self._console.notices.say(sanitize(said))
 
 
 def _doubts(document: GraphDocument, format_: GraphFormat, vehicle: str) -> list[str]:

@@ -1,15 +1,14 @@
 """Graphs for robots that load a file: written before the call, followed until the robot has answered."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 from typing import NamedTuple, TypeVar
 
 from fleet_tui.config.trust import doubt
+from fleet_tui.controllers.console import Console
 from fleet_tui.controllers.editing.editor import GraphEditor
 from fleet_tui.controllers.editing.files import document_with, format_of
 from fleet_tui.controllers.editing.old_files import OldFiles
-from fleet_tui.controllers.files import ConsoleFiles
-from fleet_tui.controllers.parts import SetUpParts
 from fleet_tui.errors import GraphError
 from fleet_tui.graph_files.geojson import new_ids
 from fleet_tui.graph_files.graph_file import WriteChoices
@@ -17,7 +16,7 @@ from fleet_tui.graph_files.losses import losses
 from fleet_tui.graph_files.writing import write_graph
 from fleet_tui.maps.route_graphs import load_floor_graph
 from fleet_tui.model.commands import CommandRecord, Stage
-from fleet_tui.model.events import Event, FloorGraphLoaded
+from fleet_tui.model.events import FloorGraphLoaded
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.graphs.document import DocumentEdge, DocumentFloor, DocumentVertex, GraphFormat
 from fleet_tui.model.graphs.draft import Change
@@ -55,22 +54,14 @@ class RouteFiles:
     """Writes the floor's graph file just before a robot is told to load it. Once it has, the graph of that
     file is the live one here; until then, and if it has not, the earlier one stays."""
 
-    def __init__(
-        self,
-        parts: SetUpParts,
-        editor: GraphEditor,
-        files: ConsoleFiles,
-        post: Callable[[Event], object],
-        old_files: OldFiles,
-    ) -> None:
-        """`post` applies an event, from any thread."""
+    def __init__(self, console: Console, editor: GraphEditor, old_files: OldFiles) -> None:
         self._old_files = old_files
-        self._notices = parts.notices
+        self._notices = console.notices
         self._editor = editor
-        self._files = files
-        self._post = post
+        self._files = console.files
+        self._post = console.backend.post
         self._sent: dict[SendGraph, SentFile] = {}
-        parts.store.watchers.append(self._watch)
+        console.store.watchers.append(self._watch)
 
     def refusal(self, floor: str) -> Message:
         """Return the reason that a floor has no file to load, with its remedy; empty if it has one."""

@@ -2,11 +2,10 @@
 
 from functools import partial
 
+from fleet_tui.controllers.console import Console
 from fleet_tui.controllers.editing.checks import DraftChecks, counts_text
 from fleet_tui.controllers.editing.editor import GraphEditor, live_floor
 from fleet_tui.controllers.editing.route_files import RouteFile, RouteFiles
-from fleet_tui.controllers.files import ConsoleFiles
-from fleet_tui.controllers.parts import SetUpParts
 from fleet_tui.controllers.typed import Entry
 from fleet_tui.errors import GraphError
 from fleet_tui.graph_files.graph_file import WriteChoices
@@ -27,31 +26,23 @@ class DraftSending:
     the last 20 of each robot and floor. A robot that loads a file gets one before the call."""
 
     def __init__(
-        self,
-        parts: SetUpParts,
-        editor: GraphEditor,
-        checks: DraftChecks,
-        files: ConsoleFiles,
-        route_files: RouteFiles,
-        doubt: Message = EMPTY,
+        self, console: Console, editor: GraphEditor, checks: DraftChecks, route_files: RouteFiles
     ) -> None:
-        """`doubt` is that of the configuration."""
-        self._parts = parts
+        self._console = console
         self._editor = editor
         self._checks = checks
-        self._files = files
+        self._files = console.files
         self._route_files = route_files
-        self.doubt = doubt
 
     def start(self) -> None:
         """Offer to send, with the number of warnings and differences."""
-        opened, parts = self._editor.opened, self._parts
+        opened, console = self._editor.opened, self._console
         if opened is None:
             return
-        floor, robot = opened[0].floor, parts.store.state.robots[parts.navigation.robot]
-        refusal = parts.dispatch.set_up_refusal() or (
-            Message("not sent: {problem}", problem=self.doubt) if self.doubt else EMPTY
-        )
+        floor, robot = opened[0].floor, console.store.state.robots[console.navigation.robot]
+        doubt, refusal = console.settings.doubt, console.dispatch.set_up_refusal()
+        if not refusal and doubt:
+            refusal = Message("not sent: {problem}", problem=doubt)
         if not refusal and not robot.kind.can(GRAPH):
             refusal = robot.kind.lack(GRAPH)
         if not refusal and floor.name not in robot.maps:
@@ -59,12 +50,12 @@ class DraftSending:
         if not refusal and robot.kind.loads_graphs:
             refusal = self._route_files.refusal(floor.name)
         if refusal:
-            parts.notices.say(sanitize(refusal))
+            console.notices.say(sanitize(refusal))
             return
         if (checked := self._checks.of(floor)) is None:
             return
         if any(one.is_error for one in checked.found):
-            parts.notices.say(
+            console.notices.say(
                 Message("not sent: {counts_text}: ! lists them", counts_text=counts_text(checked.found))
             )
             return
@@ -83,7 +74,7 @@ class DraftSending:
             try:
                 file = self._route_files.file_of(floor)
             except (GraphError, ValueError) as problem:
-                self._parts.notices.say(sanitize(Message("not sent: {problem}", problem=problem)))
+                self._console.notices.say(sanitize(Message("not sent: {problem}", problem=problem)))
                 return
             told += file.lost
             send = partial(self._send_file, robot.name, file)
@@ -92,38 +83,38 @@ class DraftSending:
             (Message("Show the differences"), self._checks.compare),
             (Message("Show the findings"), self._checks.show_findings),
         ]
-        self._parts.open_menu(joined(", ", filter(None, told)), entries)
+        self._console.open_menu(joined(", ", filter(None, told)), entries)
 
     def _send_file(self, robot: str, file: RouteFile) -> None:
         """Send the path of a file, which is written after the question."""
         if self._is_kept(robot):
             command = self._route_files.command(robot, file)
             prepare = partial(self._route_files.write, command, file)
-            self._parts.dispatch.do(Request((command,)), prepare=prepare)
+            self._console.dispatch.do(Request((command,)), prepare=prepare)
 
     def _send(self) -> None:
-        opened, parts = self._editor.opened, self._parts
+        opened, console = self._editor.opened, self._console
         if opened is None:
             return
-        floor, robot = opened[0].floor, parts.navigation.robot
+        floor, robot = opened[0].floor, console.navigation.robot
         if not self._is_kept(robot):
             return
         graph, labels = route_graph(floor, roles_of(self._editor.live_graph()))
         vertices, pairs = tuple(graph.vertices.values()), tuple(sorted(labels.items()))
         command = SendGraph(robot, floor.name, vertices, graph.edges, graph.directed, pairs)
-        parts.dispatch.do(Request((command,)))
+        console.dispatch.do(Request((command,)))
 
     def _is_kept(self, robot: str) -> bool:
         """Keep the robot's present graph; say so if it can't be."""
         if problem := self._keep(robot):
-            self._parts.notices.say(
+            self._console.notices.say(
                 Message("not sent: the present graph can't be kept: {problem}", problem=sanitize(problem))
             )
         return not problem
 
     def _keep(self, robot: str) -> Message:
         """Write the robot's present graph to a file. Returns the reason if it can't be."""
-        live: DocumentFloor = live_floor(self._parts.store.state, self._parts.navigation.selection)
+        live: DocumentFloor = live_floor(self._console.store.state, self._console.navigation.selection)
         folder = self._files.folder
         if folder is None or not live.vertices:
             return EMPTY

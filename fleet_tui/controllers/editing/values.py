@@ -5,8 +5,8 @@ from functools import partial
 
 from msgspec.structs import replace
 
+from fleet_tui.controllers.console import Console
 from fleet_tui.controllers.editing.editor import GraphEditor
-from fleet_tui.controllers.parts import SetUpParts
 from fleet_tui.controllers.typed import Entry, Typed
 from fleet_tui.model.graphs.document import DocumentVertex
 from fleet_tui.rules.graphs import edits
@@ -24,8 +24,8 @@ USUAL_TYPES = ("docking_station", "elevator")
 class VertexValues:
     """Chosen from a menu, or typed into the palette."""
 
-    def __init__(self, parts: SetUpParts, editor: GraphEditor) -> None:
-        self._parts = parts
+    def __init__(self, console: Console, editor: GraphEditor) -> None:
+        self._console = console
         self._editor = editor
 
     def chosen(self) -> DocumentVertex | None:
@@ -37,7 +37,7 @@ class VertexValues:
         draft, mode, scene = opened
         id_ = mode.selected or mode.vertex_at(self._editor.picture.viewport, scene, mode.cursor)
         if not id_:
-            self._parts.notices.say(Message("no vertex is selected: cursor on it, Enter"))
+            self._console.notices.say(Message("no vertex is selected: cursor on it, Enter"))
             return None
         mode.selected = id_
         mode.edge = ""
@@ -51,15 +51,15 @@ class VertexValues:
             types = sorted(used) or USUAL_TYPES
             entries: list[Entry] = [(Message("none"), partial(self._renew, type_=""))]
             entries += [(verbatim(type_), partial(self._renew, type_=type_)) for type_ in types]
-            entries.append((Message("another one: type it"), partial(self._parts.begin, f"{TYPE} ")))
-            self._parts.open_menu(
+            entries.append((Message("another one: type it"), partial(self._console.begin, f"{TYPE} ")))
+            self._console.open_menu(
                 Message("Type of vertex {id}", id=sanitize(vertex.id)), entries, searched=True
             )
 
     def name(self) -> None:
         """Type the label of the selected vertex."""
         if vertex := self.chosen():
-            self._parts.begin(f"{NAME} {vertex.label}")
+            self._console.begin(f"{NAME} {vertex.label}")
 
     def _renew(self, label: str | None = None, type_: str | None = None) -> None:
         if vertex := self.chosen():

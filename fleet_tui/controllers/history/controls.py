@@ -9,9 +9,8 @@ from typing import Protocol
 
 from msgspec.structs import replace
 
-from fleet_tui.controllers.files import ConsoleFiles
+from fleet_tui.controllers.console import Console
 from fleet_tui.controllers.history.replaying import PastReplay
-from fleet_tui.controllers.parts import InBackground
 from fleet_tui.history.database import is_empty, opened_to_read
 from fleet_tui.history.reading import History
 from fleet_tui.history.totals import Totals
@@ -78,19 +77,12 @@ class HistoryControls:
     shown alone, `notice` the response to the last key. The time of `span` ends now unless `until` says
     when."""
 
-    def __init__(
-        self,
-        view: HistoryView,
-        files: ConsoleFiles,
-        replaying: PastReplay,
-        in_background: InBackground,
-        battery_low: Callable[[], float],
-    ) -> None:
+    def __init__(self, view: HistoryView, console: Console, replaying: PastReplay) -> None:
         self._view = view
-        self._files = files
+        self._files = console.files
         self._replaying = replaying
-        self._in_background = in_background
-        self._battery_low = battery_low
+        self._in_background = console.in_background
+        self._store = console.store
         self.page_number = 1
         self.until = 0.0
         self.chart = ""
@@ -116,7 +108,7 @@ class HistoryControls:
             self._take(self._wanted, ShownShift(division, problem=NO_HISTORY))
             return
         self.is_reading = True
-        work = partial(read_page, history.path, self.name, division, self._battery_low())
+        work = partial(read_page, history.path, self.name, division, self._store.state.limits.battery_low)
         self._in_background(work, partial(self._take, self._wanted))
 
     def _take(self, wanted: int, shown: ShownShift) -> None:

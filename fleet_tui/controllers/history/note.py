@@ -1,9 +1,8 @@
 """The `:note TEXT` command: a remark for whoever takes over, in the history and in the report."""
 
-from collections.abc import Callable
 from functools import partial
 
-from fleet_tui.controllers.files import ConsoleFiles
+from fleet_tui.controllers.console import Console
 from fleet_tui.controllers.typed import Typed
 from fleet_tui.text.language import Message
 from fleet_tui.text.limits import truncate
@@ -15,9 +14,9 @@ WORD = "note"
 class NoteCommand:
     """Writes into the history of the console."""
 
-    def __init__(self, files: ConsoleFiles, say: Callable[[Message], None]) -> None:
-        self._files = files
-        self._say = say
+    def __init__(self, console: Console) -> None:
+        self._files = console.files
+        self._say = console.notices.say
 
     def typed(self, line: str) -> Typed | None:
         """Parse a typed line as a note, None if it is not one."""

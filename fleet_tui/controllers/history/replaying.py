@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 from datetime import datetime
 from pathlib import Path
 
-from fleet_tui.controllers.files import ConsoleFiles
+from fleet_tui.controllers.console import Console
 from fleet_tui.recording.covering import recording_at
 from fleet_tui.text.language import EMPTY, Message
 
@@ -23,12 +23,12 @@ class PastReplay:
 
     def __init__(
         self,
-        files: ConsoleFiles,
+        console: Console,
         folder: Path,
         loss: Callable[[], Message],
         run: Callable[[Sequence[str]], Message],
     ) -> None:
-        self._files = files
+        self._files = console.files
         self._folder = folder
         self._loss = loss
         self._run = run

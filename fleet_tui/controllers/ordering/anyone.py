@@ -3,8 +3,7 @@
 from collections.abc import Callable, Sequence
 from functools import partial
 
-from fleet_tui.controllers.dispatch import Ask, Dispatch
-from fleet_tui.controllers.notices import Notices
+from fleet_tui.controllers.console import Console
 from fleet_tui.controllers.typed import Typed
 from fleet_tui.errors import CommandError
 from fleet_tui.model.request import Request
@@ -13,7 +12,6 @@ from fleet_tui.rules.language.completion import complete
 from fleet_tui.rules.language.lookup import Place, is_still, order_of
 from fleet_tui.rules.routes.dispatching import to_any
 from fleet_tui.rules.routes.nearest import Nearest, nearest, why_none, why_not
-from fleet_tui.state.store import Store
 from fleet_tui.text.language import EMPTY, Message, joined, message_of
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.questions import request_text
@@ -22,11 +20,11 @@ from fleet_tui.view.lines.questions import request_text
 class AnyoneOrders:
     """Finds a robot for the places of an order. Nothing is sent without a yes to that robot."""
 
-    def __init__(self, store: Store, dispatch: Dispatch, notices: Notices, ask: Ask) -> None:
-        self._store = store
-        self._dispatch = dispatch
-        self._notices = notices
-        self._ask = ask
+    def __init__(self, console: Console) -> None:
+        self._store = console.store
+        self._dispatch = console.dispatch
+        self._notices = console.notices
+        self._ask = console.ask
 
     def give(self, places: Sequence[Place], sent: Callable[[], None] = lambda: None) -> Message:
         """Ask whether the nearest idle robot shall visit the places, or any that a dispatcher chooses; `sent`

@@ -4,11 +4,9 @@ import time
 from collections.abc import Callable, Hashable, Iterator, Sequence
 from functools import partial
 
-from fleet_tui.controllers.dispatch import Dispatch
-from fleet_tui.controllers.navigation import Navigation
-from fleet_tui.controllers.notices import Notices
+from fleet_tui.controllers.console import Console
 from fleet_tui.controllers.tables.marked import MarkedCommands
-from fleet_tui.controllers.typed import Entry, OpenMenu
+from fleet_tui.controllers.typed import Entry
 from fleet_tui.errors import CommandError
 from fleet_tui.model import kind
 from fleet_tui.model.commands import CancelOrder, ClearOrders, PlaceOrder
@@ -23,7 +21,6 @@ from fleet_tui.rules.commands.queue_moves import moves
 from fleet_tui.rules.commands.subject import subject_of
 from fleet_tui.rules.language.lookup import Place
 from fleet_tui.rules.routes.charging import order_to_charger, way_to_charger
-from fleet_tui.state.store import Store
 from fleet_tui.text.language import Message, message_of
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.tables.missions import mission, way
@@ -36,25 +33,20 @@ class OrderRequests:
 
     def __init__(
         self,
-        store: Store,
-        dispatch: Dispatch,
-        notices: Notices,
-        navigation: Navigation,
+        console: Console,
         *,
         queue: RowsPane,
         open_form: Callable[[str, Place | None, Sequence[Place]], None],
-        open_menu: OpenMenu,
-        clock: Callable[[float], str],
         marked: MarkedCommands,
     ) -> None:
-        self._store = store
-        self._dispatch = dispatch
-        self._notices = notices
-        self._navigation = navigation
+        self._store = console.store
+        self._dispatch = console.dispatch
+        self._notices = console.notices
+        self._navigation = console.navigation
         self._queue = queue
         self._open_form = open_form
-        self._open_menu = open_menu
-        self._clock = clock
+        self._open_menu = console.open_menu
+        self._clock = console.settings.clock
         self._marked = marked
 
     @property

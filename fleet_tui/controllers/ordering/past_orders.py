@@ -6,10 +6,10 @@ from typing import Any
 
 from fleet_tui.audit.log import Audit
 from fleet_tui.audit.reader import AuditReader
+from fleet_tui.controllers.console import Console
 from fleet_tui.model.audit_record import AuditRecord
 from fleet_tui.model.commands import Stage
 from fleet_tui.rules.language.favourites import Given, given_here
-from fleet_tui.state.store import Store
 
 MOST_READ = 2000
 """Number of records of the audit log that are read, the newest ones."""
@@ -21,10 +21,10 @@ InBackground = Callable[[Callable[[], object], Callable[[Any], None]], None]
 class PastOrders:
     """Reads the audit log once, in a thread: a disk may hang."""
 
-    def __init__(self, store: Store, audit: Callable[[], Audit | None], in_background: InBackground) -> None:
-        self._store = store
-        self._audit = audit
-        self._in_background = in_background
+    def __init__(self, console: Console) -> None:
+        self._store = console.store
+        self._files = console.files
+        self._in_background = console.in_background
         self._earlier: list[Given] = []
         self._has_read = False
 
@@ -34,7 +34,7 @@ class PastOrders:
 
     def read(self, then: Callable[[], object]) -> None:
         """Read the orders of earlier sessions, at the first call only; `then` is called afterwards."""
-        if self._has_read or (audit := self._audit()) is None:
+        if self._has_read or (audit := self._files.audit) is None:
             return
         self._has_read = True
 

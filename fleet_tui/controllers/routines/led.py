@@ -5,10 +5,7 @@ import threading
 from functools import partial
 from pathlib import Path
 
-from fleet_tui.controllers.dispatch import Dispatch
-from fleet_tui.controllers.files import ConsoleFiles
-from fleet_tui.controllers.notices import Notices
-from fleet_tui.controllers.parts import InBackground
+from fleet_tui.controllers.console import Console
 from fleet_tui.errors import RoutineError
 from fleet_tui.model.problem import Right
 from fleet_tui.model.request import Request
@@ -28,7 +25,6 @@ from fleet_tui.routines.owner import RobotLocks
 from fleet_tui.routines.progress import RoutineProgress, progress_path, resumable, save_progress
 from fleet_tui.routines.run import RoutineRun, RunParts
 from fleet_tui.rules.routines.orders import objection
-from fleet_tui.state.store import Store
 from fleet_tui.text.language import EMPTY, Message, translate
 from fleet_tui.text.sanitize import sanitize
 
@@ -39,22 +35,14 @@ UNTOLD = ("resumed", "step")
 class LedRoutines:
     """Starts runs, leads them with every tick, and leaves them so that they can be continued."""
 
-    def __init__(
-        self,
-        place: RoutinePlace,
-        store: Store,
-        dispatch: Dispatch,
-        notices: Notices,
-        files: ConsoleFiles,
-        in_background: InBackground,
-    ) -> None:
+    def __init__(self, place: RoutinePlace, console: Console) -> None:
         self.runs: dict[str, RoutineRun] = {}
         self._place = place
-        self._store = store
-        self._dispatch = dispatch
-        self._notices = notices
-        self._files = files
-        self._in_background = in_background
+        self._store = console.store
+        self._dispatch = console.dispatch
+        self._notices = console.notices
+        self._files = console.files
+        self._in_background = console.in_background
         self._locks: dict[str, RobotLocks] = {}
         self._saving = threading.Lock()
         self._newest: dict[Path, RoutineProgress] = {}

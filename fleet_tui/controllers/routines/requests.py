@@ -5,11 +5,9 @@ from functools import partial
 
 from msgspec.structs import replace
 
-from fleet_tui.controllers.dispatch import Ask, Dispatch
-from fleet_tui.controllers.notices import Notices
-from fleet_tui.controllers.parts import InBackground
+from fleet_tui.controllers.console import Console
 from fleet_tui.controllers.routines.led import LedRoutines
-from fleet_tui.controllers.typed import Entry, OpenMenu
+from fleet_tui.controllers.typed import Entry
 from fleet_tui.errors import RoutineError
 from fleet_tui.model.problem import Right
 from fleet_tui.model.routines.lane import (
@@ -26,7 +24,6 @@ from fleet_tui.model.routines.row import RoutineRow
 from fleet_tui.routines.look import RoutinePlace, look_at_all
 from fleet_tui.routines.run import RoutineRun
 from fleet_tui.routines.start import Examined, examine
-from fleet_tui.state.store import Store
 from fleet_tui.text.language import EMPTY, Message, joined
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.routines.lines import lane_text, lane_word, row_word
@@ -38,25 +35,15 @@ ShowText = Callable[[Message, Sequence[str]], None]
 class RoutineRequests:
     """Lists the routines, opens the menu of one, and carries out what is chosen."""
 
-    def __init__(
-        self,
-        place: RoutinePlace,
-        store: Store,
-        dispatch: Dispatch,
-        notices: Notices,
-        led: LedRoutines,
-        ask: Ask,
-        open_menu: OpenMenu,
-        in_background: InBackground,
-    ) -> None:
+    def __init__(self, place: RoutinePlace, console: Console, led: LedRoutines) -> None:
         self._place = place
-        self._store = store
-        self._dispatch = dispatch
-        self._notices = notices
+        self._store = console.store
+        self._dispatch = console.dispatch
+        self._notices = console.notices
         self._led = led
-        self._ask = ask
-        self._open_menu = open_menu
-        self._in_background = in_background
+        self._ask = console.ask
+        self._open_menu = console.open_menu
+        self._in_background = console.in_background
         self._seen: list[RoutineRow] = []
         self._is_looking = False
 

@@ -3,13 +3,11 @@
 from collections.abc import Callable
 from typing import NamedTuple
 
-from fleet_tui.backend import Backend
 from fleet_tui.camera.decoding import Decoded, decode
-from fleet_tui.controllers.parts import InBackground
+from fleet_tui.controllers.console import Console
 from fleet_tui.model.kind import CAMERA
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.streams import CameraImage, Streamed
-from fleet_tui.state.store import Store
 from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.view.camera.caption import CameraFacts, PictureRate, caption, note
 from fleet_tui.view.camera.cells import PictureCells, half_blocks, ramp
@@ -38,21 +36,12 @@ class CameraControls:
     """Opens and closes the picture, and decodes the newest message in a thread: never two at once, and none
     is queued."""
 
-    def __init__(
-        self,
-        store: Store,
-        backend: Backend,
-        selected: Callable[[], str],
-        view: CameraView,
-        in_background: InBackground,
-        terminal: PictureTerminal,
-    ) -> None:
-        """`selected` returns the name of the selected robot."""
-        self._store = store
-        self._backend = backend
-        self._selected = selected
+    def __init__(self, console: Console, view: CameraView, terminal: PictureTerminal) -> None:
+        self._store = console.store
+        self._backend = console.backend
+        self._navigation = console.navigation
         self._view = view
-        self._in_background = in_background
+        self._in_background = console.in_background
         self._terminal = terminal
         self._rate = PictureRate(terminal.limit)
         self.is_open = False
@@ -65,7 +54,7 @@ class CameraControls:
     @property
     def lack(self) -> Message:
         """Return the reason that the selected robot has no camera, empty if it has one."""
-        kind = self._store.state.robots[self._selected()].kind
+        kind = self._store.state.robots[self._navigation.robot].kind
         return EMPTY if CAMERA in kind.streams else kind.lack(CAMERA)
 
     def turn(self, on: bool) -> None:
@@ -75,7 +64,7 @@ class CameraControls:
 
     def look(self) -> None:
         """Show the newest picture and its age. Call it at every tick."""
-        robot = self._store.state.robots[self._selected()]
+        robot = self._store.state.robots[self._navigation.robot]
         self._watch(robot.name if self.is_open and CAMERA in robot.kind.streams else "")
         if not self.is_open:
             return

@@ -6,10 +6,8 @@ from pathlib import Path
 from typing import Any
 
 from fleet_tui.config.schema import expanded
-from fleet_tui.controllers.dispatch import Ask
+from fleet_tui.controllers.console import Console
 from fleet_tui.controllers.editing.files import file_name
-from fleet_tui.controllers.files import ConsoleFiles
-from fleet_tui.controllers.parts import InBackground, SetUpParts
 from fleet_tui.controllers.typed import Entry, Typed
 from fleet_tui.errors import MapError
 from fleet_tui.maps.saving import map_files, save_map
@@ -34,27 +32,19 @@ WORD = "save-map"
 class MappingControls:
     """Lists what can be done about the map of the selected robot's floor; says how it grows."""
 
-    def __init__(
-        self,
-        parts: SetUpParts,
-        picture: MapPicture,
-        files: ConsoleFiles,
-        ask: Ask,
-        in_background: InBackground,
-        say_from_thread: Callable[[Message], None],
-    ) -> None:
-        self._parts = parts
+    def __init__(self, console: Console, picture: MapPicture) -> None:
+        self._console = console
         self._picture = picture
-        self._files = files
-        self._ask = ask
-        self._in_background = in_background
-        self._say_from_thread = say_from_thread
+        self._files = console.files
+        self._ask = console.ask
+        self._in_background = console.in_background
+        self._say_from_thread = console.say_from_thread
         self._grid: OccupancyGrid | None = None
         self._text = EMPTY
 
     @property
     def _robot(self) -> Robot:
-        return self._parts.store.state.robots[self._parts.navigation.robot]
+        return self._console.store.state.robots[self._console.navigation.robot]
 
     def on(self, scene: Scene) -> Scene:
         """Return the scene with a note on the map that grows, while the selected robot maps."""
@@ -69,7 +59,7 @@ class MappingControls:
         if grid is not self._grid:
             self._grid = grid
             self._text = Message("{known} m2 known", known=f"{survey(grid).known:.0f}")
-        state, floor = self._parts.store.state, self._parts.navigation.floor
+        state, floor = self._console.store.state, self._console.navigation.floor
         robot_map = self._robot.maps.get(floor)
         at = (robot_map.grid_at if robot_map is not None else None) or state.floors[floor].live_at
         return (
@@ -82,16 +72,16 @@ class MappingControls:
         """List the actions: mapping on or off, saving the map."""
         robot, scene = self._robot, self._picture.scene
         entries: list[Entry] = []
-        refusal = self._parts.dispatch.permissions.refusal(Right.SETUP)
+        refusal = self._console.dispatch.permissions.refusal(Right.SETUP)
         if refusal:
-            self._parts.notices.note(refusal)
+            self._console.notices.note(refusal)
         elif robot.kind.can(MAPPING):
             entries += [
                 (Message("Mapping {mode}", mode=mode), partial(self._switch, mode == "on"))
                 for mode in ("on", "off")
             ]
         else:
-            self._parts.notices.note(robot.kind.lack(MAPPING))
+            self._console.notices.note(robot.kind.lack(MAPPING))
         mapping = mapping_text(robot) or Message("not mapping, as far as is known")
         lines = [Message("{robot}: {mapping}", robot=robot.name, mapping=mapping)]
         if scene is not None and scene.grid is not None:
@@ -99,7 +89,7 @@ class MappingControls:
             entries.append(
                 (
                     Message("Save this map to a file"),
-                    partial(self._parts.begin, f"{WORD} {file_name(scene.floor)}.yaml"),
+                    partial(self._console.begin, f"{WORD} {file_name(scene.floor)}.yaml"),
                 )
             )
         else:
@@ -112,14 +102,14 @@ class MappingControls:
             if robot.kind.can(ability) and not refusal:
                 line = f"{verb} {robot.name} {robot.floor or ''}"
                 entries.append(
-                    (Message("Store the {what} on the robot", what=what), partial(self._parts.begin, line))
+                    (Message("Store the {what} on the robot", what=what), partial(self._console.begin, line))
                 )
-        self._parts.open_menu(
+        self._console.open_menu(
             joined("\n", map(sanitize, lines)), entries or [(Message("No action available"), lambda: None)]
         )
 
     def _switch(self, on: bool) -> None:
-        self._parts.dispatch.do(Request((SetMapping(self._robot.name, on),)))
+        self._console.dispatch.do(Request((SetMapping(self._robot.name, on),)))
 
     def typed(self, line: str) -> Typed | None:
         """Parse a typed line as a file to save the map to, None for any other."""
@@ -145,15 +135,15 @@ class MappingControls:
         )
 
     def _save(self, grid: OccupancyGrid, name: str) -> None:
-        if refusal := self._parts.dispatch.set_up_refusal():
-            self._parts.notices.say(refusal)
+        if refusal := self._console.dispatch.set_up_refusal():
+            self._console.notices.say(refusal)
             return
         path = expanded(name)
         save = partial(self._in_background, partial(_saved, grid, path, self._say_from_thread), self._said)
         try:
             exists = any(file.exists() for file in map_files(path))
         except (OSError, ValueError) as problem:
-            self._parts.notices.say(
+            self._console.notices.say(
                 sanitize(Message("map not saved: {name}: {problem}", name=name, problem=problem))
             )
             return
@@ -164,7 +154,7 @@ class MappingControls:
 
     def _said(self, text: Any) -> None:
         self._files.log("map saved", str(text))
-        self._parts.notices.say(sanitize(message_of(text)))
+        self._console.notices.say(sanitize(message_of(text)))
 
 
 def _saved(grid: OccupancyGrid, path: Path, report: Callable[[Message], None]) -> str:

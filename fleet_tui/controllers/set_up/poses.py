@@ -1,9 +1,7 @@
 """Poses and goals that are chosen on the map."""
 
-from fleet_tui.controllers.dispatch import Ask, Dispatch
+from fleet_tui.controllers.console import Console
 from fleet_tui.controllers.map import MapControls
-from fleet_tui.controllers.navigation import Navigation
-from fleet_tui.controllers.notices import Notices
 from fleet_tui.controllers.set_up.comparison import ScanComparison
 from fleet_tui.errors import CommandError
 from fleet_tui.model.geometry import Pose
@@ -14,7 +12,6 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import Localise, SetPose, heading_text
 from fleet_tui.rules.commands.set_up.checks import driving
 from fleet_tui.rules.language.set_up import floor_of, to_pose
-from fleet_tui.state.store import Store
 from fleet_tui.text.language import Message, message_of
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.map.map_picture import MapPicture
@@ -28,21 +25,13 @@ class PoseRequests:
     """Opens the mode of the map in which a place is chosen, and sends it after a question."""
 
     def __init__(
-        self,
-        store: Store,
-        dispatch: Dispatch,
-        navigation: Navigation,
-        notices: Notices,
-        ask: Ask,
-        controls: MapControls,
-        picture: MapPicture,
-        comparison: ScanComparison,
+        self, console: Console, controls: MapControls, picture: MapPicture, comparison: ScanComparison
     ) -> None:
-        self._store = store
-        self._dispatch = dispatch
-        self._navigation = navigation
-        self._notices = notices
-        self._ask = ask
+        self._store = console.store
+        self._dispatch = console.dispatch
+        self._navigation = console.navigation
+        self._notices = console.notices
+        self._ask = console.ask
         self._controls = controls
         self._picture = picture
         self._comparison = comparison

@@ -3,13 +3,12 @@
 import math
 from functools import partial
 
+from fleet_tui.controllers.console import Console
 from fleet_tui.controllers.map import MapControls
-from fleet_tui.controllers.parts import InBackground, SetUpParts
 from fleet_tui.model.geometry import Pose
 from fleet_tui.rules.commands.set_up.checks import map_of
 from fleet_tui.rules.localisation.match import DOUBTFUL, FEWEST, Match
 from fleet_tui.rules.localisation.nearby import REACH, best_near
-from fleet_tui.state.streams import Streams
 from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import percent
@@ -24,20 +23,13 @@ SNAP = "place_snap"
 class PoseSnap:
     """Searches off the loop, one search at a time from a pose. Nothing is sent."""
 
-    def __init__(
-        self,
-        parts: SetUpParts,
-        streams: Streams,
-        controls: MapControls,
-        picture: MapPicture,
-        in_background: InBackground,
-    ) -> None:
-        self._store = parts.store
-        self._notices = parts.notices
-        self._streams = streams
+    def __init__(self, console: Console, controls: MapControls, picture: MapPicture) -> None:
+        self._store = console.store
+        self._notices = console.notices
+        self._streams = console.backend.streams
         self._controls = controls
         self._picture = picture
-        self._in_background = in_background
+        self._in_background = console.in_background
         self._searched: tuple[PlaceMode, Pose] | None = None
 
     @property

@@ -1,8 +1,6 @@
 """The list of a site's lifts, doors, dispensers and closed lanes: read-only."""
 
-from collections.abc import Callable
-
-from fleet_tui.controllers.parts import SetUpParts
+from fleet_tui.controllers.console import Console
 from fleet_tui.controllers.typed import Typed
 from fleet_tui.model.fleets.facility import LANES
 from fleet_tui.rules.alarms.facilities import facility_text, listed
@@ -15,9 +13,8 @@ TITLE = Message("Facilities: lifts, doors, dispensers, closed lanes")
 class FacilityList:
     """Lists the facilities of all sites, those that are out of service first."""
 
-    def __init__(self, parts: SetUpParts, clock: Callable[[float], str]) -> None:
-        self._parts = parts
-        self._clock = clock
+    def __init__(self, console: Console) -> None:
+        self._console = console
 
     def typed(self, line: str) -> Typed | None:
         """Parse `facilities`, None for any other line."""
@@ -25,7 +22,7 @@ class FacilityList:
 
     def menu(self) -> None:
         """Open the list, as it is now: its title has the time."""
-        state = self._parts.store.state
+        state = self._console.store.state
         lines = [facility_text(state, one) for one in listed(state)]
         lanes = (one for one in state.facilities.values() if one.sort == LANES and one.closed)
         lines += [
@@ -38,10 +35,10 @@ class FacilityList:
             for one in lanes
         ]
         if not lines:
-            self._parts.notices.say(Message("no lifts, doors or dispensers are reported"))
+            self._console.notices.say(Message("no lifts, doors or dispensers are reported"))
             return
-        self._parts.open_menu(
-            Message("{title}, {clock}", title=TITLE, clock=self._clock(state.wall)),
+        self._console.open_menu(
+            Message("{title}, {clock}", title=TITLE, clock=self._console.settings.clock(state.wall)),
             [(line, lambda: None) for line in lines],
             searched=True,
         )

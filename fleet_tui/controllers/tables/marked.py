@@ -6,7 +6,7 @@ from time import monotonic
 from msgspec import Struct
 from msgspec.structs import replace
 
-from fleet_tui.controllers.dispatch import Ask, Dispatch
+from fleet_tui.controllers.console import Console
 from fleet_tui.model.commands import Command, PauseRobot, PlaceOrder
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.request import Request
@@ -14,7 +14,6 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.rules.commands.subject import Subject, subject_of
 from fleet_tui.rules.language.anyone import own_place
 from fleet_tui.rules.language.lookup import Place
-from fleet_tui.state.store import Store
 from fleet_tui.text.language import EMPTY, Message, joined, verbatim
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.lines.questions import losses, request_text
@@ -39,17 +38,11 @@ class MarkedCommands:
     sent."""
 
     def __init__(
-        self,
-        store: Store,
-        dispatch: Dispatch,
-        ask: Ask,
-        marks: Callable[[], list[str]],
-        outcomes: Outcomes,
-        done: Callable[[], None],
+        self, console: Console, marks: Callable[[], list[str]], outcomes: Outcomes, done: Callable[[], None]
     ) -> None:
-        self._store = store
-        self._dispatch = dispatch
-        self._ask = ask
+        self._store = console.store
+        self._dispatch = console.dispatch
+        self._ask = console.ask
         self._marks = marks
         self._outcomes = outcomes
         self._done = done

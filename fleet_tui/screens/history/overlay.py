@@ -2,22 +2,20 @@
 
 from collections.abc import Callable, Sequence
 from datetime import datetime
-from functools import partial
-from typing import TYPE_CHECKING, ClassVar
+from typing import ClassVar
 
 from msgspec.structs import replace
 from textual.app import SuspendNotSupported
 from textual.binding import BindingType
 
+from fleet_tui.controllers.console import Console
 from fleet_tui.controllers.history.controls import HistoryControls
 from fleet_tui.controllers.history.replaying import PastReplay, run_in_terminal
-from fleet_tui.controllers.navigation import Navigation
 from fleet_tui.keys import HISTORY, Pane, by_id
 from fleet_tui.log_file import state_folder
 from fleet_tui.rules.history.division import Division
 from fleet_tui.screens.tables.paged_overlay import PagedOverlay
-from fleet_tui.state.store import Store
-from fleet_tui.text.language import EMPTY, Message, tr, translate
+from fleet_tui.text.language import Message, tr, translate
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.history.places import heat_rows, places_table
 from fleet_tui.view.history.tables import (
@@ -34,12 +32,7 @@ from fleet_tui.view.map.layers import MapOptions
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.arrangement import RowArrangement
 from fleet_tui.view.tables.table import Row, Table, column
-from fleet_tui.widgets.background import run_in_background
 from fleet_tui.widgets.bindings import bindings, overlay_bindings
-
-if TYPE_CHECKING:
-    from fleet_tui.screens.main import MainScreen
-    from fleet_tui.screens.rest import Rest
 
 KEYS = by_id(HISTORY)
 EVERY = 5.0
@@ -53,18 +46,12 @@ SAME_DAY = 20 * 3600.0
 
 
 class HistoryPages:
-    """Makes the table of the open page; `clock` formats Unix seconds as a time of day."""
+    """Makes the table of the open page."""
 
-    def __init__(
-        self,
-        store: Store,
-        clock: Callable[[float], str],
-        navigation: Navigation,
-        options: Callable[[], MapOptions],
-    ) -> None:
-        self._store = store
-        self._clock = clock
-        self._navigation = navigation
+    def __init__(self, console: Console, options: Callable[[], MapOptions]) -> None:
+        self._store = console.store
+        self._clock = console.settings.clock
+        self._navigation = console.navigation
         self._options = options
 
     def table(self, controls: HistoryControls, arrangement: RowArrangement, size: tuple[int, int]) -> Table:
@@ -126,41 +113,28 @@ def long_moment(at: float) -> str:
     return f"{datetime.fromtimestamp(at).astimezone():%m-%d %H:%M:%S}"
 
 
-def history_overlay(screen: "MainScreen", rest: "Rest") -> "HistoryOverlay":
-    options = lambda: rest.map.picture.options  # noqa: E731  # a name for a value that changes
-    pages = HistoryPages(screen.store, screen.settings.clock, screen.navigation, options)
-
-    def run(command: "Sequence[str]") -> Message:
-        try:
-            with screen.app.suspend():
-                return run_in_terminal(command)
-        except SuspendNotSupported:
-            return Message("a recording can't use this terminal: open it in another one")
-
-    replaying = PastReplay(screen.files, state_folder(), lambda: _loss(rest), run)
-    return HistoryOverlay(screen, pages, replaying)
-
-
-def _loss(rest: "Rest") -> Message:
-    """Return the reason why this console can't be left alone, empty if it can."""
-    if rest.drives.mode is not None:
-        return Message("a robot is driven by hand")
-    return Message("a routine runs here") if rest.routines.has_losses else EMPTY
-
-
 class HistoryOverlay(PagedOverlay):
     """One table with the rows of the open page. It reads nothing while it is closed."""
 
     BINDINGS: ClassVar[list[BindingType]] = [*bindings(Pane.HISTORY), *overlay_bindings("history")]
 
-    def __init__(self, screen: "MainScreen", pages: HistoryPages, replaying: PastReplay) -> None:
-        self._pages = pages
-        self._store = screen.store
-        self._keys = screen.settings.keys
-        low = lambda: screen.store.state.limits.battery_low  # noqa: E731  # of the newest state
-        in_background = partial(run_in_background, self)
-        self._controls = HistoryControls(self, screen.files, replaying, in_background, low)
+    def __init__(
+        self, console: Console, options: Callable[[], MapOptions], loss: Callable[[], Message]
+    ) -> None:
+        """`loss` returns the reason why this console can't be left alone for a replay, empty if it can."""
+        self._pages = HistoryPages(console, options)
+        self._store = console.store
+        self._keys = console.settings.keys
+        replaying = PastReplay(console, state_folder(), loss, self._run)
+        self._controls = HistoryControls(self, console, replaying)
         super().__init__("history", self._controls.choose, EVERY, self._answer)
+
+    def _run(self, command: Sequence[str]) -> Message:
+        try:
+            with self.app.suspend():
+                return run_in_terminal(command)
+        except SuspendNotSupported:
+            return Message("a recording can't use this terminal: open it in another one")
 
     def show(self) -> None:
         """Open on the page that was open last."""

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Hashable, Mapping, Sequence
 from functools import partial
-from typing import TYPE_CHECKING, ClassVar
+from typing import ClassVar
 
 from rich.style import Style
 from textual.app import ComposeResult
@@ -30,10 +30,6 @@ from fleet_tui.widgets.bindings import bindings
 from fleet_tui.widgets.line_view import LineView
 from fleet_tui.widgets.pace import Pace
 from fleet_tui.widgets.text_view import TextView
-
-if TYPE_CHECKING:
-    from fleet_tui.screens.main import MainScreen
-    from fleet_tui.screens.rest import Rest
 
 SCROLLING = by_id(ROWS)
 READ_EVERY = 5.0
@@ -113,17 +109,6 @@ class PageSource:
                 note = Message("past ones: log not readable: {strerror}", strerror=failed.strerror)
         self._past = (name, past, note)
         self._can_draw = True
-
-
-def robot_page_overlay(screen: "MainScreen", rest: "Rest") -> "RobotPage":
-    source = PageSource(
-        lambda: (screen.store.state, screen.navigation.robot),
-        lambda: screen.files.audit,
-        screen.settings.clock,
-        lambda: rest.map.picture.options.drawing,
-        screen.backend,
-    )
-    return RobotPage(source, lambda robot: rest.robots.menu(robot), lambda: screen.panes.space_beside_map)
 
 
 class PageScrolling:

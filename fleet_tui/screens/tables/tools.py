@@ -4,7 +4,6 @@ import math
 import time
 from collections.abc import Callable, Sequence
 from time import monotonic
-from typing import TYPE_CHECKING
 
 from textual import on
 from textual.app import ComposeResult
@@ -13,12 +12,13 @@ from textual.widget import Widget
 from textual.widgets import Input, Label, Static
 
 from fleet_tui.actions import TableActions
-from fleet_tui.controllers.dispatch import Ask
+from fleet_tui.controllers.console import Console
 from fleet_tui.controllers.tables.marked import MarkedCommands
 from fleet_tui.model.commands import Command, CommandRecord
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.screens.overlay import Overlay
 from fleet_tui.screens.tables.copy import copied_rows, copy
+from fleet_tui.screens.tables.pane_rows import PaneRows
 from fleet_tui.text.details import detail_text
 from fleet_tui.text.language import Message, tr, translate
 from fleet_tui.text.sanitize import sanitize
@@ -27,10 +27,8 @@ from fleet_tui.view.tables.groups import GroupHead
 from fleet_tui.widgets.field import Field, row_keys
 from fleet_tui.widgets.filter_field import filter_help
 from fleet_tui.widgets.pace import Pace
+from fleet_tui.widgets.panes import Panes
 from fleet_tui.widgets.rows_pane import RowsPane
-
-if TYPE_CHECKING:
-    from fleet_tui.screens.main import MainScreen
 
 PAUSE = 0.3
 ALL_EVERY = 0.5
@@ -46,13 +44,13 @@ STAYS = 8.0
 class TableTools:
     """Filter, sort, mark and copy: on the focused table, without one on the fleet."""
 
-    def __init__(self, screen: "MainScreen", ask: Ask) -> None:
-        self._screen = screen
-        self.filter_line = FilterLine(screen.show_rows)
-        self.outcomes = Outcomes(lambda: screen.store.state)
-        self.marked = MarkedCommands(
-            screen.store, screen.dispatch, ask, self.robots, self.outcomes.show, self._unmark
-        )
+    def __init__(self, console: Console, panes: Panes, rows: PaneRows) -> None:
+        self._console = console
+        self._panes = panes
+        self._rows = rows
+        self.filter_line = FilterLine(rows.show)
+        self.outcomes = Outcomes(lambda: console.store.state)
+        self.marked = MarkedCommands(console, self.robots, self.outcomes.show, self._unmark)
         self.actions = TableActions(self._filter, self._sort, self._group, self._mark, self._copy)
 
     @property
@@ -62,26 +60,26 @@ class TableTools:
 
     def robots(self) -> list[str]:
         """Return the marked robots, in the order of the configuration."""
-        marks = self._screen.fleet.listing.marks
-        return [name for name in self._screen.store.state.robots if name in marks]
+        marks = self._panes.fleet.listing.marks
+        return [name for name in self._console.store.state.robots if name in marks]
 
     @property
     def _table(self) -> RowsPane:
-        return next((table for table in self._screen.panes.tables if table.has_focus), self._screen.fleet)
+        return next((table for table in self._panes.tables if table.has_focus), self._panes.fleet)
 
     def back(self) -> bool:
         """Close the outcomes, else clear the filter, else the marks of a table, the focused one first; False
         if there is none of these."""
         if self.outcomes.close():
             return True
-        for table in (self._table, *self._screen.panes.tables):
+        for table in (self._table, *self._panes.tables):
             if table.arrangement.typed:
                 table.arrangement.typed = ""
             elif table.listing.marks:
                 table.listing.marks.clear()
             else:
                 continue
-            self._screen.show_rows(table)
+            self._rows.show(table)
             return True
         return False
 
@@ -89,38 +87,38 @@ class TableTools:
         if self._table.size.height:
             self.filter_line.start(self._table)
         else:
-            self._screen.notices.say(Message("no table is in view: Esc shows them"))
+            self._console.notices.say(Message("no table is in view: Esc shows them"))
 
     def _sort(self) -> None:
         self._table.arrangement.next_column()
-        self._screen.show_rows(self._table)
+        self._rows.show(self._table)
 
     def _group(self) -> None:
-        fleet = self._screen.fleet
-        if not fleet.arrangement.groups.next(self._screen.navigation.here):
-            self._screen.notices.say(Message("one floor and one link: nothing to group by"))
-        self._screen.show_rows(fleet)
+        fleet = self._panes.fleet
+        if not fleet.arrangement.groups.next(self._console.navigation.here):
+            self._console.notices.say(Message("one floor and one link: nothing to group by"))
+        self._rows.show(fleet)
 
     def fold(self, head: GroupHead) -> None:
         """Fold a group of the fleet, or unfold it; the cursor stays on it."""
-        fleet = self._screen.fleet
+        fleet = self._panes.fleet
         fleet.arrangement.groups.fold(head)
-        fleet.show(self._screen.newest.of(fleet))
+        fleet.show(self._rows.of(fleet))
 
     def _mark(self) -> None:
         if isinstance(self._table.listing.cursor, GroupHead):
-            self._screen.notices.say(Message("a group can't be marked: mark its robots"))
+            self._console.notices.say(Message("a group can't be marked: mark its robots"))
             return
         self._table.listing.toggle_mark()
-        self._screen.show_rows(self._table)
+        self._rows.show(self._table)
 
     def _unmark(self) -> None:
-        for table in self._screen.panes.tables:
+        for table in self._panes.tables:
             table.listing.marks.clear()
-        self._screen.tick()
+            self._rows.show(table)
 
     def _copy(self) -> None:
-        copy(self._screen, *copied_rows(self._table.listing), self._screen.notices.say)
+        copy(self._panes, *copied_rows(self._table.listing), self._console.notices.say)
 
 
 class FilterLine(Overlay):

@@ -5,8 +5,6 @@ from collections.abc import Sequence
 import pytest
 
 from fleet_tui.controllers.desk.commands import DeskCommands
-from fleet_tui.controllers.files import ConsoleFiles
-from fleet_tui.controllers.parts import SetUpParts
 from fleet_tui.controllers.typed import Typed
 from fleet_tui.model.desk.desk import Colleague, ends_of
 from fleet_tui.model.desk.events import (
@@ -29,10 +27,7 @@ BEN = Colleague("x", "ben", "hall", "robot_1", ("robot_1",))
 def made(*facts: Event, permissions: Permissions | None = None) -> tuple[Desk, DeskCommands]:
     state = reduced(fleet(3), graph(1, 2, 3), labels({1: "Base", 2: "Hall"}), *facts)
     desk = Desk(state, permissions)
-    parts = SetUpParts(
-        desk.store, desk.dispatch, desk.navigation, desk.notices, desk.open_menu, lambda _line: None
-    )
-    return desk, DeskCommands(parts, ConsoleFiles(), desk.backend.post, lambda _wall: "12:00")
+    return desk, DeskCommands(desk.console(clock=lambda _wall: "12:00"))
 
 
 def typed(commands: DeskCommands, line: str) -> Typed:

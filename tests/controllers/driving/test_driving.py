@@ -6,10 +6,8 @@ import pytest
 from msgspec.structs import replace
 
 from fleet_tui.adapters.profile import DriveConfig
-from fleet_tui.controllers.driving.driving import LATEST, LET_GO, DriveControls, DriveJournal
-from fleet_tui.controllers.files import ConsoleFiles
+from fleet_tui.controllers.driving.driving import LATEST, LET_GO, DriveControls
 from fleet_tui.controllers.map import MapControls
-from fleet_tui.controllers.parts import SetUpParts
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.kind import DRIVE
 from fleet_tui.model.problem import Permissions
@@ -43,17 +41,10 @@ class Bench:
         self.told = list[bool]()
         self.view.picture.show(SCENE)
         desk = self.desk
-        parts = SetUpParts(
-            desk.store, desk.dispatch, desk.navigation, desk.notices, desk.open_menu, lambda _line: None
-        )
         self.drives = DriveControls(
-            parts,
-            desk.backend,
-            limits={R0: limits},
+            desk.console(drive={R0: limits}),
             controls=MapControls(self.view),
             picture=self.view.picture,
-            journal=DriveJournal(ConsoleFiles()),
-            ask=desk.ask,
             focus=self._focus,
             is_shown=lambda: True,
             passes=frozenset(),

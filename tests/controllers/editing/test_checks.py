@@ -63,7 +63,8 @@ async def test_an_order_that_names_a_removed_vertex_is_an_error() -> None:
 async def test_one_check_runs_at_a_time_and_the_newest_draft_is_checked_after_it() -> None:
     waiting = list[tuple[Callable[[], Any], Callable[[Any], None]]]()
     async with drawn_graph() as it:
-        checks = DraftChecks(it.parts, it.editor, lambda work, then: waiting.append((work, then)))
+        it.desk.in_background = lambda work, then: waiting.append((work, then))
+        checks = DraftChecks(it.console, it.editor)
         it.editor.start()
         it.mode.selected = "2"
         it.typed("name Base")

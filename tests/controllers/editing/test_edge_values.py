@@ -61,4 +61,4 @@ async def test_the_menu_of_an_edge_tells_and_begins_them() -> None:
         assert menu.title.endswith("both ways, speed any, cost 3")
         menu.choose("Speed")
         menu.choose("Cost")
-        assert it.lines == ["speed ", "cost "]
+        assert it.desk.begun == ["speed ", "cost "]

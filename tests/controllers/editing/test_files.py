@@ -74,7 +74,7 @@ async def test_without_a_file_a_name_is_asked_and_other_floors_of_a_file_stay(tm
     async with drawn_graph() as it:
         it.editor.start()
         it.files.write()
-        assert it.lines == ["write floor_0.yaml"]
+        assert it.desk.begun == ["write floor_0.yaml"]
         path = tmp_path / "site.yaml"
         it.typed(f"write {path}")
         said_yes(it)

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 from msgspec.structs import replace
 
+from fleet_tui.controllers.editing.sending import DraftSending
 from fleet_tui.model.commands import Stage
 from fleet_tui.model.events import CommandAdvanced, CommandIssued, FloorGraphLoaded
 from fleet_tui.model.fleet import FleetState
@@ -213,7 +214,7 @@ async def test_nothing_is_sent_with_a_configuration_that_somebody_else_could_hav
     tmp_path: Path,
 ) -> None:
     async with drawn(tmp_path) as it:
-        it.sending.doubt = Message("config.toml is not owned by ana")
-        it.sending.start()
+        console = it.desk.console(doubt=Message("config.toml is not owned by ana"))
+        DraftSending(console, it.editor, it.checks, it.route_files).start()
         assert it.desk.notices.text == "not sent: config.toml is not owned by ana"
         assert not it.desk.menus and not it.desk.backend.submitted

@@ -12,7 +12,7 @@ async def test_a_label_a_type_and_a_heading_are_typed() -> None:
         it.editor.start()
         it.mode.selected = "1"
         it.values.name()
-        assert it.lines == ["name Base"]
+        assert it.desk.begun == ["name Base"]
         it.typed("name Dock 7")
         it.typed("type docking_station")
         it.typed("heading 450")

@@ -1,17 +1,15 @@
 """Page, time and what Enter opens, without a screen."""
 
 import time
-from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 import pytest
 
-from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.controllers.history.controls import NO_HISTORY, SPANS, HistoryControls
 from fleet_tui.controllers.history.replaying import PastReplay
 from fleet_tui.text.language import EMPTY
 from fleet_tui.widgets.rows_pane import RowsPane
+from tests.support.desk import Desk, ready
 from tests.support.past import kept_history, put
 from tests.support.shift import shift
 
@@ -40,12 +38,9 @@ Made = tuple[HistoryControls, View]
 
 @pytest.fixture
 def made(tmp_path: Path) -> Made:
-    def at_once(work: Callable[[], Any], then: Callable[[Any], None]) -> None:
-        then(work())
-
-    files, view = ConsoleFiles(), View()
-    replaying = PastReplay(files, tmp_path, lambda: EMPTY, lambda _command: EMPTY)
-    return HistoryControls(view, files, replaying, at_once, lambda: 20.0), view
+    console, view = Desk(ready()).console(), View()
+    replaying = PastReplay(console, tmp_path, lambda: EMPTY, lambda _command: EMPTY)
+    return HistoryControls(view, console, replaying), view
 
 
 def test_without_a_history_it_says_so(made: Made) -> None:

@@ -2,42 +2,37 @@
 
 from pathlib import Path
 
-import pytest
-
 from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.controllers.history.note import NoteCommand
 from fleet_tui.history.reading import History
+from tests.support.desk import Desk, ready
 from tests.support.past import kept_history, read_history
 
 
-@pytest.fixture
-def said() -> list[str]:
-    return []
-
-
-def test_a_note_is_in_the_history(tmp_path: Path, said: list[str]) -> None:
+def test_a_note_is_in_the_history(tmp_path: Path) -> None:
     files = ConsoleFiles()
     with kept_history(tmp_path) as writer:
         files.history = writer
-        typed = NoteCommand(files, said.append).typed("note  lift B is slow\x1b ")
+        desk = Desk(ready())
+        typed = NoteCommand(desk.console(files)).typed("note  lift B is slow\x1b ")
         assert typed is not None
         ((title, write),) = typed.entries
         assert title == "Note for the next shift: lift B is slow␛"
         write()
-    assert said == ["noted for the next shift: lift B is slow␛"]
+    assert desk.said == ["noted for the next shift: lift B is slow␛"]
     with read_history(writer.path) as database:
         assert [(one.text, one.operator) for one in History(database).notes(0.0, 1e12)] == [
             ("lift B is slow\x1b", "ana")
         ]
 
 
-def test_what_is_no_note_and_what_can_not_be_noted(tmp_path: Path, said: list[str]) -> None:
-    command = NoteCommand(ConsoleFiles(), said.append)
+def test_what_is_no_note_and_what_can_not_be_noted(tmp_path: Path) -> None:
+    command = NoteCommand(Desk(ready()).console())
     assert command.typed("notes robot_0") is None and command.typed("pause robot_0") is None
     none = command.typed("note x")
     assert none is not None and none.problem == "no note: this console keeps no history" and not none.entries
     with kept_history(tmp_path) as writer:
         files = ConsoleFiles()
         files.history = writer
-        empty = NoteCommand(files, said.append).typed("note")
+        empty = NoteCommand(Desk(ready()).console(files)).typed("note")
         assert empty is not None and empty.problem.startswith("note TEXT: ")

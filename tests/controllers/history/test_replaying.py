@@ -7,10 +7,10 @@ from collections.abc import Sequence
 from datetime import datetime
 from pathlib import Path
 
-from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.controllers.history.replaying import BEFORE, PastReplay, run_in_terminal
 from fleet_tui.recording.indexing import header_of
 from fleet_tui.text.language import EMPTY, Message
+from tests.support.desk import Desk, ready
 from tests.support.tapes import shift
 
 
@@ -28,7 +28,7 @@ def test_it_is_opened_shortly_before_the_moment_and_not_before_its_begin(tmp_pat
         ran.append(command)
         return Message("closed")
 
-    replaying = PastReplay(ConsoleFiles(), tmp_path, lambda: EMPTY, run)
+    replaying = PastReplay(Desk(ready()).console(), tmp_path, lambda: EMPTY, run)
     found = replaying.find(begun + 1)
     assert found == (tape, begun) and replaying.find(begun - 100) is None
     assert replaying.open((tape, begun), begun + 100) == "closed"
@@ -42,7 +42,7 @@ def test_a_console_that_can_not_be_left_alone_says_the_command(tmp_path: Path) -
     def never(_command: Sequence[str]) -> Message:
         raise AssertionError
 
-    replaying = PastReplay(ConsoleFiles(), tmp_path, lambda: Message("a routine runs here"), never)
+    replaying = PastReplay(Desk(ready()).console(), tmp_path, lambda: Message("a routine runs here"), never)
     said = replaying.open((tmp_path / "a b.jsonl", 0.0), 50.0)
     assert said.startswith("a routine runs here: in another terminal: fleet-tui replay '")
     assert replaying.open(None, 50.0).startswith("no recording covers this moment")

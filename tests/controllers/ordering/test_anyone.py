@@ -3,6 +3,7 @@
 from collections.abc import Callable
 
 import pytest
+from msgspec.structs import replace
 
 from fleet_tui.controllers.ordering.anyone import AnyoneOrders
 from fleet_tui.model.events import BatteryReported, CargoReported, CommandPathChanged
@@ -56,7 +57,7 @@ class Asking(Desk):
     def __init__(self, state: FleetState, permissions: Permissions | None = None) -> None:
         super().__init__(state, permissions)
         self.questions: list[Callable[[], str]] = []
-        self.anyone = AnyoneOrders(self.store, self.dispatch, self.notices, self.put)
+        self.anyone = AnyoneOrders(replace(self.console(), ask=self.put))
 
     def put(self, question: Callable[[], str], then: Callable[[], None]) -> None:
         self.questions.append(question)

@@ -36,14 +36,9 @@ def requests(desk: Desk) -> tuple[RowsPane, Opened, OrderRequests]:
         queue,
         opened,
         OrderRequests(
-            desk.store,
-            desk.dispatch,
-            desk.notices,
-            desk.navigation,
+            desk.console(),
             queue=queue,
             open_form=lambda robot, place, _way: opened.append((robot, place)),
-            open_menu=desk.open_menu,
-            clock=lambda _wall: "12:00",
             marked=desk.marked,
         ),
     )

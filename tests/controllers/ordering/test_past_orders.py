@@ -10,12 +10,14 @@ import pytest
 from fleet_tui.audit.entries import Origin
 from fleet_tui.audit.file import FILE_NAME, audit_file
 from fleet_tui.audit.log import Audit
+from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.controllers.ordering import past_orders
 from fleet_tui.controllers.ordering.past_orders import PastOrders
 from fleet_tui.model.commands import Command, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.rules.language.favourites import Given
 from fleet_tui.state.store import Store
+from tests.support.desk import Desk
 from tests.support.fleets import R0, commanded, fleet, graph, labels, place_order, reduced
 
 STORE, BACK = Given("1", "Base", "2", "Store"), Given("2", "Store", "1", "Base")
@@ -57,9 +59,15 @@ class Background:
             then(work())
 
 
+def past_orders_of(audit: Audit | None, state: FleetState) -> tuple[PastOrders, Background]:
+    desk, files, background = Desk(state), ConsoleFiles(), Background()
+    files.audit = audit
+    desk.in_background = background
+    return PastOrders(desk.console(files)), background
+
+
 def read(audit: Audit | None, state: FleetState) -> list[Given]:
-    background = Background()
-    past = PastOrders(Store(state), lambda: audit, background)
+    past, background = past_orders_of(audit, state)
     past.read(lambda: None)
     background.run()
     return past.newest_first()
@@ -102,8 +110,8 @@ def test_only_the_newest_records_are_read(tmp_path: Path, monkeypatch: pytest.Mo
 def test_the_log_is_read_once_and_in_the_background(tmp_path: Path) -> None:
     wrote(tmp_path, ORDER)
     with log(tmp_path) as audit:
-        background, told = Background(), list[str]()
-        past = PastOrders(Store(known()), lambda: audit, background)
+        told = list[str]()
+        past, background = past_orders_of(audit, known())
         for name in ("first", "second"):
             past.read(lambda name=name: told.append(name))  # type: ignore[misc]  # mypy knows no default of a lambda
         assert past.newest_first() == [] and len(background.work) == 1

@@ -6,7 +6,6 @@ from typing import Any
 
 import pytest
 
-from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.controllers.routines.led import LedRoutines
 from fleet_tui.errors import RoutineError
 from fleet_tui.model.problem import Permissions
@@ -30,8 +29,7 @@ class LedDesk(Desk):
     def __init__(self, folder: Path, permissions: Permissions | None = None) -> None:
         super().__init__(two_robots(), permissions or Permissions())
         self.place = RoutinePlace(folder, folder / "state")
-        parts = self.place, self.store, self.dispatch, self.notices
-        self.led = LedRoutines(*parts, ConsoleFiles(), at_once)
+        self.led = LedRoutines(self.place, self.console())
 
 
 @pytest.fixture

@@ -4,8 +4,8 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import pytest
+from msgspec.structs import replace
 
-from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.controllers.routines.led import LedRoutines
 from fleet_tui.controllers.routines.requests import RoutineRequests
 from fleet_tui.controllers.typed import Entry
@@ -26,19 +26,14 @@ class RequestDesk(Desk):
         self.opened = list[tuple[str, Sequence[Entry]]]()
         self.texts = list[str]()
         self.questions = list[tuple[str, Callable[[], None]]]()
-
-        def at_once(work: Callable[[], object], then: Callable[[object], None]) -> None:
-            then(work())
-
-        parts = self.place, self.store, self.dispatch, self.notices
-        led = LedRoutines(*parts, ConsoleFiles(), at_once)
-        self.requests = RoutineRequests(
-            *parts,
-            led,
-            lambda question, then: self.questions.append((question(), then)),
-            lambda title, entries, marked=0, *, searched=False: self.opened.append((title, entries)),
-            at_once,
+        console = replace(
+            self.console(),
+            ask=lambda question, then: self.questions.append((question(), then)),
+            open_menu=lambda title, entries, marked=0, *, searched=False: self.opened.append(
+                (title, entries)
+            ),
         )
+        self.requests = RoutineRequests(self.place, console, LedRoutines(self.place, console))
         self.requests.look()
 
     def menu(self, robot: str = "") -> dict[str, Callable[[], object]]:

@@ -47,11 +47,9 @@ class Pane:
         self.view = KeepingView()
         self.pending: list[Callable[[], None]] = []
         self.sent = 0
-        self.robot = "robot_0"
         terminal = PictureTerminal(lambda: self.sent, 60_000.0, lambda: False)
-        self.controls = CameraControls(
-            self.desk.store, self.desk.backend, lambda: self.robot, self.view, self._later, terminal
-        )
+        self.desk.in_background = self._later
+        self.controls = CameraControls(self.desk.console(), self.view, terminal)
 
     def _later(self, work: Callable[[], Any], then: Callable[[Any], None]) -> None:
         self.pending.append(lambda: then(work()))
@@ -134,7 +132,7 @@ def test_another_robot_has_another_camera() -> None:
     pane.controls.turn(True)
     pane.put(jpeg("red"), T0 + 1)
     pane.tick(T0 + 1)
-    pane.robot = "robot_1"
+    pane.desk.navigation.select("robot_1")
     pane.tick(T0 + 1.1)
     assert pane.work() == 1 and pane.view.picture is None, "the picture of the robot before is dropped"
     assert not pane.desk.backend.streams.wants("robot_0", CAMERA)

@@ -5,8 +5,6 @@ from pathlib import Path
 import numpy as np
 from msgspec.structs import replace
 
-from fleet_tui.controllers.files import ConsoleFiles
-from fleet_tui.controllers.parts import SetUpParts
 from fleet_tui.controllers.set_up.mapping import MappingControls
 from fleet_tui.maps.images import load_floor_map
 from fleet_tui.model.kind import MAP_SAVE, MAPPING, Kind
@@ -22,12 +20,10 @@ MAPS = replace(PLAIN, accepts=(*PLAIN.accepts, MAPPING))
 
 
 def mapping(kind: Kind = MAPS, scene: Scene = SCENE) -> tuple[Desk, MappingControls, list[str]]:
-    desk, lines, picture = Desk(of_kinds(ready(), kind)), list[str](), MapPicture()
+    desk, picture = Desk(of_kinds(ready(), kind)), MapPicture()
+    lines = desk.begun
     picture.show(scene)
-    parts = SetUpParts(desk.store, desk.dispatch, desk.navigation, desk.notices, desk.open_menu, lines.append)
-    controls = MappingControls(
-        parts, picture, ConsoleFiles(), desk.ask, lambda work, then: then(work()), desk.notices.say
-    )
+    controls = MappingControls(desk.console(), picture)
     return desk, controls, lines
 
 

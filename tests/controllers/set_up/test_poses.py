@@ -36,8 +36,7 @@ def placing(
     picture = pane.map.picture
     pane.map.show(floor_scene(desk.store.state, desk.navigation.selection))
     comparison = ScanComparison(desk.store, desk.backend, desk.notices)
-    parts = (desk.store, desk.dispatch, desk.navigation, desk.notices, desk.ask, pane.controls, picture)
-    return desk, PoseRequests(*parts, comparison)
+    return desk, PoseRequests(desk.console(), pane.controls, picture, comparison)
 
 
 async def test_a_pose_begins_at_the_robot_is_turned_asked_and_sent() -> None:

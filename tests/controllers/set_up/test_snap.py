@@ -7,7 +7,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from fleet_tui.controllers.parts import SetUpParts
 from fleet_tui.controllers.set_up.snap import SNAP, PoseSnap
 from fleet_tui.model.events import GridReceived
 from fleet_tui.model.geometry import MapFrame, Pose
@@ -40,14 +39,9 @@ class Site:
         self.desk = desk = Desk(reduced(ready(), *([GridReceived(R0, F0, GRID)] if has_map else [])))
         self.picture, self.controls = pane.map.picture, pane.controls
         self.searches = list[tuple[Callable[[], Any], Callable[[Any], None]]]()
-        parts = SetUpParts(
-            desk.store, desk.dispatch, desk.navigation, desk.notices, desk.open_menu, lambda _line: None
-        )
-        streams = desk.backend.streams
-        streams.watch(R0, SCAN)
-        self.it = PoseSnap(
-            parts, streams, self.controls, self.picture, lambda *search: self.searches.append(search)
-        )
+        desk.backend.streams.watch(R0, SCAN)
+        desk.in_background = lambda *search: self.searches.append(search)
+        self.it = PoseSnap(desk.console(), self.controls, self.picture)
         pane.map.show(floor_scene(desk.store.state, desk.navigation.selection))
 
     def scans(self, beams: int = 10_000, is_sought: bool = False) -> None:

@@ -106,12 +106,12 @@ async def test_help_and_hints_begin_with_the_recording(night: Path) -> None:
 async def test_old_trails_are_forgotten_where_time_jumps(night: Path) -> None:
     async with replayed(night, "+20s") as it:
         await it.press("t", ".", ".")
-        assert it.app.main.rest.map.picture.scene is not None
+        assert it.app.main.features.map.picture.scene is not None
         await it.shows(at(22))
-        assert len(it.app.main.rest.map.picture.trails.of(it.app.main.rest.map.picture.scene))
+        assert len(it.app.main.features.map.picture.trails.of(it.app.main.features.map.picture.scene))
         await it.press("<")
         await it.shows(at(12))
-        points = it.app.main.rest.map.picture.trails.of(it.app.main.rest.map.picture.scene)
+        points = it.app.main.features.map.picture.trails.of(it.app.main.features.map.picture.scene)
         assert points[:, 0].max(initial=0.0) <= 12.0
 
 
@@ -167,7 +167,7 @@ async def test_without_a_recording_its_keys_mean_nothing(server: RosbridgeServer
     async with console(config_of(server.url)) as it:
         await it.press("space", ".", "@", "end")
         assert it.app.main.session.time_line() is None
-        assert not it.app.main.rest.palette.is_open
+        assert not it.app.main.features.palette.is_open
         await it.press("?")
         await it.shows("Send an order")
         assert "The recording" not in it.text

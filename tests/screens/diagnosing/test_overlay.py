@@ -81,7 +81,7 @@ async def test_log_and_health_are_subscribed_while_it_is_open(server: RosbridgeS
         assert asked(server, "unsubscribe") == OVERHEARD
         await it.press("d", "escape", "d")
         await listens(it, server)
-        assert it.app.main.rest.diagnostics.refreshing is not None
+        assert it.app.main.features.diagnostics.refreshing is not None
 
 
 async def test_the_mouse_outside_and_another_overlay_end_it_too(server: RosbridgeServer) -> None:
@@ -91,7 +91,7 @@ async def test_the_mouse_outside_and_another_overlay_end_it_too(server: Rosbridg
         await it.press("f1")
         await it.shows("Diagnostics (d)")
         await it.until(lambda _: not server.bridge.subscribers("/rosout"))
-        await it.until(lambda _: it.app.main.rest.diagnostics.refreshing is None)
+        await it.until(lambda _: it.app.main.features.diagnostics.refreshing is None)
 
 
 async def test_what_robots_log_does_not_act_on_the_screen(server: RosbridgeServer) -> None:
@@ -110,7 +110,7 @@ async def test_a_pause_reaches_through_it_and_the_status_line_stays(server: Rosb
         await open_page(it, 2, "Topics")
         await it.press("/", "f12")
         await it.until(lambda _: len(server.bridge.services.calls) == 2)
-        assert it.app.main.rest.diagnostics.is_open and "alarms" in it.text.splitlines()[0]
+        assert it.app.main.features.diagnostics.is_open and "alarms" in it.text.splitlines()[0]
 
 
 async def test_keys_in_it_command_no_robot_and_letters_go_to_the_field(server: RosbridgeServer) -> None:

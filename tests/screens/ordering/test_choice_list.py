@@ -20,7 +20,7 @@ def has_value(it: Console, field: str, _: FleetState) -> bool:
 
 async def test_an_order_by_mouse_alone(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 1)) as it:
-        it.app.main.rest.orders.start()
+        it.app.main.features.orders.start()
         await it.shows("Charger ", "matches")
         for field in ("from", "to"):
             rows = it.app.main.query_one("#matches")
@@ -58,7 +58,7 @@ async def test_a_double_click_on_a_destination_sends_and_one_on_a_start_does_not
     # Two clicks at one place are a double one, however busy the machine is.
     monkeypatch.setattr(App, "CLICK_CHAIN_TIME_THRESHOLD", HANGS)
     async with console(config_of(server.url, 1)) as it:
-        it.app.main.rest.orders.start()
+        it.app.main.features.orders.start()
         await it.shows("Charger ", "matches")
         await it.pilot.double_click("#matches", offset=(3, 0))
         await it.until(lambda _: it.app.main.query_one("#from", Input).value)

@@ -10,7 +10,7 @@ from tests.support.watched_store import config_of
 
 def scene_of(it: Console) -> tuple[tuple[str, ...], int]:
     """The vertices that stand out, and the lines of the way."""
-    scene = it.app.main.rest.map.picture.scene
+    scene = it.app.main.features.map.picture.scene
     assert scene is not None
     return scene.target_vertices, len(scene.mission.current) if scene.mission else 0
 
@@ -44,7 +44,7 @@ async def test_the_way_of_the_current_order_stays_until_a_place_is_typed(server:
 async def test_the_form_leaves_the_map_free(server: RosbridgeServer, size: tuple[int, int]) -> None:
     async with console(config_of(server.url, 1), size) as it:
         await it.press("o")
-        form, map_view = it.app.main.rest.order_form, it.app.main.rest.map
+        form, map_view = it.app.main.features.order_form, it.app.main.features.map
         await it.until(lambda _: form.region and not form.region.overlaps(map_view.region))
         assert form.region.bottom <= size[1]
 

@@ -30,7 +30,7 @@ async def test_the_same_label_on_two_floors_stays_what_was_picked(server: Rosbri
         await it.until(lambda state: set(state.robots["robot_0"].maps["floor_1"].labels.values()) == {"Lift"})
         wanted = labels[3]["vertex_id"]
         assert isinstance(wanted, int)
-        it.app.main.rest.orders.start_at(str(wanted), "floor_1")
+        it.app.main.features.orders.start_at(str(wanted), "floor_1")
         await it.press("enter")
         await it.until(lambda state: state.commands and state.commands[-1].is_decided)
         assert sent(server)[0][1]["end_point"] == wanted

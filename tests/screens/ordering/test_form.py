@@ -186,14 +186,14 @@ async def test_the_send_button_does_what_enter_does(server: RosbridgeServer) -> 
 async def test_a_vertex_chosen_by_key_is_meant_even_where_a_robot_stands(server: RosbridgeServer) -> None:
     """robot_0 waits at Base."""
     async with console(config_of(server.url, 1)) as it:
-        it.app.main.rest.map_controls.next_vertex(1)
-        scene = it.app.main.rest.map.picture.scene
+        it.app.main.features.map_controls.next_vertex(1)
+        scene = it.app.main.features.map.picture.scene
         assert scene is not None
         labelled = [found for found in scene.vertices if found.label]
-        while it.app.main.rest.map.picture.options.cursor != next(
+        while it.app.main.features.map.picture.options.cursor != next(
             (v.x, v.y) for v in labelled if v.label == "Base"
         ):
-            it.app.main.rest.map_controls.next_vertex(1)
+            it.app.main.features.map_controls.next_vertex(1)
         await it.press("enter")
         await it.shows("Order")
         assert it.app.main.query_one("#from", Input).value == "Base"
@@ -212,7 +212,7 @@ async def test_a_robot_without_a_graph_has_no_places_and_the_form_says_so(server
 
 async def test_the_form_is_beside_the_map_where_the_fleet_is(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 2, floors=2), (80, 24)) as it:
-        view, form = it.app.main.rest.map, it.app.main.rest.order_form
+        view, form = it.app.main.features.map, it.app.main.features.order_form
         await it.shows("Base", "map")
         await it.shows("Recent")
         await it.settled()
@@ -226,7 +226,7 @@ async def test_the_form_is_beside_the_map_where_the_fleet_is(server: RosbridgeSe
 
 async def test_the_map_keeps_its_scale_while_the_form_covers_a_part_of_it(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 2, floors=2), (70, 24)) as it:
-        view = it.app.main.rest.map
+        view = it.app.main.features.map
 
         def scale() -> float:
             assert view.picture.scene is not None

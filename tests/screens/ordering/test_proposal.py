@@ -30,7 +30,7 @@ async def test_an_empty_robot_proposes_the_nearest_idle_one_and_asks(server: Ros
         await it.press("y")
         await it.until(lambda state: state.commands and state.commands[-1].is_decided)
         assert [name for name, _ in sent(server)] == ["Execute_order"]
-        assert not it.app.main.rest.order_form.is_open
+        assert not it.app.main.features.order_form.is_open
 
 
 async def test_a_busy_robot_is_passed_over_and_no_is_the_default(server: RosbridgeServer) -> None:
@@ -67,7 +67,7 @@ async def test_without_an_idle_robot_the_form_says_why(server: RosbridgeServer) 
         await it.type("Store")
         await it.press("enter")
         await it.shows("no idle robot can drive Base -> Store: 2 paused")
-        assert it.app.main.rest.order_form.is_open
+        assert it.app.main.features.order_form.is_open
 
 
 async def test_a_robot_named_again_hides_the_proposal(server: RosbridgeServer) -> None:

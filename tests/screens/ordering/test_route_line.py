@@ -8,7 +8,7 @@ from tests.support.watched_store import config_of
 
 async def test_the_way_is_shown_while_it_is_typed_and_gone_with_the_form(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 1)) as it:
-        form = it.app.main.rest.order_form
+        form = it.app.main.features.order_form
         assert show_route(form, it.store.state) is None and form.route.content == ""
         await it.press("o")
         for place in ("Base", "Store"):

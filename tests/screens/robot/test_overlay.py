@@ -7,7 +7,7 @@ from tests.support.watched_store import config_of
 
 async def test_reasons_and_page_lead_to_each_other_and_back_to_the_focus(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 2)) as it:
-        rest = it.app.main.rest
+        rest = it.app.main.features
         await it.press("tab")
         before = it.app.main.focused
         for key, opened, closed in (("w", rest.why, rest.robot_page), ("i", rest.robot_page, rest.why)) * 2:
@@ -20,7 +20,7 @@ async def test_reasons_and_page_lead_to_each_other_and_back_to_the_focus(server:
 
 async def test_its_own_key_and_q_close_it(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 1)) as it:
-        for opener, overlay in (("w", it.app.main.rest.why), ("i", it.app.main.rest.robot_page)):
+        for opener, overlay in (("w", it.app.main.features.why), ("i", it.app.main.features.robot_page)):
             for closer in (opener, "q", "escape"):
                 await it.press(opener)
                 assert overlay.is_open

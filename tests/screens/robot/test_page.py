@@ -27,7 +27,7 @@ async def test_it_leaves_the_usual_lines_in_view(server: RosbridgeServer, size: 
         lines = it.text.splitlines()
         assert " alarm" in lines[0] and "Esc close" in lines[-1]
         if size[0] < 200:
-            assert it.app.main.rest.robot_page.size.height == size[1] - 3
+            assert it.app.main.features.robot_page.size.height == size[1] - 3
         await it.press("escape")
         await it.hides("─ Battery")
 
@@ -38,17 +38,17 @@ async def test_the_map_stays_in_view_where_the_tables_have_space_for_the_page(
     async with console(config_of(server.url, 2, 2), (200, 60)) as it:
         await it.press("i")
         await it.shows("100 %", TEXT)
-        page, picture = it.app.main.rest.robot_page.region, it.app.main.query_one("#map").region
+        page, picture = it.app.main.features.robot_page.region, it.app.main.query_one("#map").region
         assert picture.right <= page.x and page.right == 200
         small_maps = it.app.main.panes.small_maps.region
-        await it.until(lambda state: it.app.main.rest.robot_page.region.bottom == small_maps.y)
+        await it.until(lambda state: it.app.main.features.robot_page.region.bottom == small_maps.y)
         assert (
             it.pane(TEXT).index("─ State") < it.pane(TEXT).index("─ Battery") < it.pane(TEXT).index("─ Route")
         )
     async with console(config_of(server.url, 2, 2), (200, 40)) as it:
         await it.press("i")
         await it.shows("100 %", TEXT)
-        assert it.app.main.rest.robot_page.region.width == 200
+        assert it.app.main.features.robot_page.region.width == 200
 
 
 async def test_it_goes_on_to_the_next_robot_from_the_top(server: RosbridgeServer) -> None:
@@ -73,21 +73,21 @@ async def test_it_scrolls_and_says_where_it_is(server: RosbridgeServer) -> None:
 
 async def test_keys_about_the_robot_work_in_it_and_questions_return_to_it(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 2)) as it:
-        page = it.app.main.rest.robot_page
+        page = it.app.main.features.robot_page
         await it.press("i", "p")
         await it.shows("Paused    yes", TEXT)
         await it.shows("pause: confirmed", TEXT)
         await it.press("R")
-        assert it.app.main.rest.confirm.is_open and not page.is_open
+        assert it.app.main.features.confirm.is_open and not page.is_open
         await it.press("y")
         assert page.is_open and page.has_focus
         await it.shows("Paused    no", TEXT)
         await it.press("enter")
-        assert it.app.main.rest.menu.is_open
+        assert it.app.main.features.menu.is_open
         await it.press("escape")
         assert page.is_open
         await it.press("o")
-        assert it.app.main.rest.order_form.is_open and not page.is_open
+        assert it.app.main.features.order_form.is_open and not page.is_open
         assert [name for name, _ in sent(server)] == ["Pause", "Resume"]
 
 
@@ -142,5 +142,5 @@ async def test_a_recording_has_the_page_with_what_was_seen_in_it(tmp_path: Path)
         await it.press(".")
         assert it.app.main.navigation.robot == R0, "it is a key of the recording"
         await it.press("]")
-        it.app.main.rest.robot_page.look()  # its own time comes: in a stopped recording nothing else does
+        it.app.main.features.robot_page.look()  # its own time comes: in a stopped recording nothing else does
         assert "robot_1  oh_ressources" in it.pane("robot-page-title")

@@ -47,7 +47,7 @@ async def test_escape_clears_it_and_returns_to_where_one_was(server: RosbridgeSe
         await it.type("nobody")
         await it.shows("nothing matches the filter")
         await it.press("escape")
-        assert len(rows(it)) == 3 and it.app.main.focused is it.app.main.rest.map
+        assert len(rows(it)) == 3 and it.app.main.focused is it.app.main.features.map
 
 
 async def test_the_focused_table_is_filtered(server: RosbridgeServer) -> None:
@@ -87,7 +87,7 @@ async def test_a_tick_waits_for_a_letter_but_not_for_long(
 ) -> None:
     async with console(config_of(server.url, 3), wait=False) as it:
         await it.until(lambda _: it.app.main.is_complete)
-        line = it.app.main.rest.tables.filter_line
+        line = it.app.main.features.tables.filter_line
         assert not line.goes_first
         await it.press("/")
         await it.type("1")

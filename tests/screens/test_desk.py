@@ -3,11 +3,11 @@
 import time
 from pathlib import Path
 
+from fleet_tui.controllers.desk.notes import join_desk
 from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.desk.desk import SharedDesk
 from fleet_tui.model.desk.events import RobotClaimed
 from fleet_tui.model.history.facts import Note
-from fleet_tui.screens.desk.opening import join_desk
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import Console, console
 from tests.support.past import kept_history
@@ -20,7 +20,7 @@ def join(it: Console, folder: Path, files: ConsoleFiles) -> None:
     links = it.app.main.backend
     assert files.desk is None
     files.desk = SharedDesk(folder, it.store, "ana")
-    join_desk(it.app.main)
+    join_desk(it.app.main.console_parts, it.app.main.call_later)
     files.desk.start(links.post)
 
 

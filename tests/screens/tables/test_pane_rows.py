@@ -2,7 +2,7 @@
 
 import pytest
 
-from fleet_tui.screens.tables import newest
+from fleet_tui.screens.tables import pane_rows
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.widgets import pace
 from tests.support.console_pilot import console
@@ -15,13 +15,13 @@ async def test_the_fleet_is_the_same_table_until_it_is_due_or_asked_for(
     async with console(config_of(server.url, 3)) as it:
         main, now = it.app.main, 1e9
         monkeypatch.setattr(pace, "monotonic", lambda: now)
-        first = main.newest.tables()[0]
-        assert main.newest.tables()[0] is first
+        first = main.rows.tables()[0]
+        assert main.rows.tables()[0] is first
         main.fleet.arrangement.column = "battery"
-        sorted_ = main.newest.tables()[0]
+        sorted_ = main.rows.tables()[0]
         assert sorted_ is not first
         now += 0.3
-        assert main.newest.tables()[0] is not sorted_
+        assert main.rows.tables()[0] is not sorted_
 
 
 async def test_the_map_of_a_crowd_is_shown_at_a_pace_and_at_once_for_another_robot(
@@ -29,14 +29,14 @@ async def test_the_map_of_a_crowd_is_shown_at_a_pace_and_at_once_for_another_rob
 ) -> None:
     async with console(config_of(server.url, 2)) as it:
         main, now = it.app.main, 1e9
-        assert main.newest.is_floor_due() and main.newest.is_floor_due()
-        monkeypatch.setattr(newest, "CROWD", 2)
+        assert main.rows.is_floor_due(False, None) and main.rows.is_floor_due(False, main.features.map.size)
+        monkeypatch.setattr(pane_rows, "CROWD", 2)
         monkeypatch.setattr(pace, "monotonic", lambda: now)
-        assert [main.newest.is_floor_due() for _ in range(3)] == [True, False, False]
+        assert [main.rows.is_floor_due(False, None) for _ in range(3)] == [True, False, False]
         main.navigation.selection = main.navigation.selection.on_robot("robot_1")
-        assert [main.newest.is_floor_due() for _ in range(2)] == [True, False]
+        assert [main.rows.is_floor_due(False, None) for _ in range(2)] == [True, False]
         now += 0.3
-        assert [main.newest.is_floor_due() for _ in range(2)] == [True, False]
+        assert [main.rows.is_floor_due(False, None) for _ in range(2)] == [True, False]
 
 
 async def test_the_rows_of_a_crowd_are_not_made_in_one_tick_with_its_map(
@@ -44,16 +44,16 @@ async def test_the_rows_of_a_crowd_are_not_made_in_one_tick_with_its_map(
 ) -> None:
     async with console(config_of(server.url, 2)) as it:
         main, now = it.app.main, 1e9
-        monkeypatch.setattr(newest, "CROWD", 2)
+        monkeypatch.setattr(pane_rows, "CROWD", 2)
         monkeypatch.setattr(pace, "monotonic", lambda: now)
-        assert main.newest.is_floor_due()
-        first = main.newest.tables()[0]
+        assert main.rows.is_floor_due(False, None)
+        first = main.rows.tables()[0]
         now += 1.0
-        assert main.newest.is_floor_due()
-        assert main.newest.tables()[0] is first
-        assert not main.newest.is_floor_due()
-        assert main.newest.tables()[0] is not first
+        assert main.rows.is_floor_due(False, None)
+        assert main.rows.tables()[0] is first
+        assert not main.rows.is_floor_due(False, None)
+        assert main.rows.tables()[0] is not first
         now += 1.0
-        assert main.newest.is_floor_due()
+        assert main.rows.is_floor_due(False, None)
         main.fleet.arrangement.column = "battery"
-        assert main.newest.tables()[0] is not first, "at once when asked for"
+        assert main.rows.tables()[0] is not first, "at once when asked for"

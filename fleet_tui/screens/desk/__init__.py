@@ -1,1 +1,0 @@
-"""The desk on the main screen."""
