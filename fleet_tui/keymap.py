@@ -1,7 +1,6 @@
 """The operator's key assignments, checked before the screen opens, since Textual reports no errors."""
 
 from collections.abc import Iterable, Mapping
-from typing import Any
 
 from fleet_tui.errors import did_you_mean
 from fleet_tui.keys import BY_ID, KEYS, Key, Pane
@@ -43,7 +42,7 @@ def _types_nothing(key: str) -> bool:
     return "ctrl" in modifiers or "alt" in modifiers or (len(last) > 1 and last[1:].isdigit())
 
 
-def _same_place(one: Key[Any], other: Key[Any]) -> bool:
+def _same_place(one: Key, other: Key) -> bool:
     """Tell whether two panes' keys can be pressed at the same moment."""
     panes = {one.pane, other.pane}
     if Pane.RECORDING in panes and (one.only_live or other.only_live):
@@ -95,7 +94,7 @@ def _yielded(chosen: Mapping[str, tuple[str, ...]], changes: Mapping[str, str]) 
 
 
 def _clashes(chosen: Mapping[str, Iterable[str]]) -> list[str]:
-    taken: dict[str, list[Key[Any]]] = {}
+    taken: dict[str, list[Key]] = {}
     problems = []
     for id_, keys in chosen.items():
         this = BY_ID[id_]

@@ -1,7 +1,6 @@
 """One key does one thing, and the operator's page and the table of keys say the same."""
 
 from pathlib import Path
-from typing import Any
 
 import pytest
 from hypothesis import given
@@ -82,7 +81,7 @@ def test_the_defaults_have_no_clash() -> None:
 
 
 @pytest.mark.parametrize("key", [key for key in KEYS if key.id in PROMISED], ids=lambda key: key.id)
-def test_every_default_is_the_promised_key(key: Key[Any]) -> None:
+def test_every_default_is_the_promised_key(key: Key) -> None:
     assert set(PROMISED[key.id]) <= set(key.keys)
 
 

@@ -3,7 +3,7 @@ themes."""
 
 from collections.abc import Callable, Iterator
 from functools import partial
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from fleet_tui.controllers.console import Console
 from fleet_tui.controllers.save import SaveCommand
@@ -64,7 +64,7 @@ class Offers:
     """Lists the possible actions, and parses typed text; `run` runs the action of a key."""
 
     def __init__(
-        self, console: Console, session: ConsoleSession, save: SaveCommand, run: Callable[[Key[Any]], object]
+        self, console: Console, session: ConsoleSession, save: SaveCommand, run: Callable[[Key], object]
     ) -> None:
         self._store = console.store
         self._dispatch = console.dispatch

@@ -1,10 +1,10 @@
 """A console on a recording: its notices, and the keys that move in it."""
 
 import time
-from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Mapping
+from functools import partial
+from typing import TYPE_CHECKING
 
-from fleet_tui.actions.panes import PlayerActions
 from fleet_tui.controllers.console import Console
 from fleet_tui.controllers.session import Headline
 from fleet_tui.controllers.typed import Typed
@@ -36,7 +36,7 @@ class Replay:
         self._jumps = 0
         self._time_line: TimeLine | None = None
 
-    def offers(self, key: Key[Any]) -> bool:
+    def offers(self, key: Key) -> bool:
         """Leave out the keys of live consoles."""
         return not key.only_live
 
@@ -59,10 +59,29 @@ class Replay:
         self._time_line = TimeLine(id="time-line")
         return self._time_line
 
-    def play(self, do: Callable[[PlayerActions], object]) -> None:
-        """Run an action of the player; show the reason if it fails."""
-        said = do(self._player)
-        if isinstance(said, Message) and said:
+    @property
+    def actions(self) -> Mapping[str, Callable[[], object]]:
+        """Return the actions of the keys of the player."""
+        player = self._player
+        return {
+            "play": player.toggle,
+            "skip_back": partial(player.skip, -10),
+            "skip_on": partial(player.skip, 10),
+            "previous_mark": partial(self._to_mark, -1),
+            "next_mark": partial(self._to_mark, 1),
+            "step_back": partial(player.step, -1),
+            "step_on": partial(player.step, 1),
+            "record_back": partial(player.step_record, -1),
+            "record_on": partial(player.step_record, 1),
+            "faster": partial(player.change_speed, 1),
+            "slower": partial(player.change_speed, -1),
+            "usual_speed": partial(player.change_speed, 0),
+            "to_beginning": partial(player.to_end, -1),
+            "to_the_end": partial(player.to_end, 1),
+        }
+
+    def _to_mark(self, step: int) -> None:
+        if said := self._player.to_mark(step):
             self._notices.say(said)
 
     def typed(self, line: str) -> "Typed | None":

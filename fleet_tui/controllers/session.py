@@ -1,10 +1,9 @@
 """Differences between a live fleet and a recording, as needed by the screen."""
 
 import time
-from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, Protocol
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Protocol
 
-from fleet_tui.actions.panes import PlayerActions
 from fleet_tui.controllers.console import Console
 from fleet_tui.keys import Key, Pane
 from fleet_tui.model.fleet import FleetState
@@ -30,7 +29,7 @@ class ConsoleSession(Protocol):
     pane: Pane | None
     """The pane whose keys are listed first, None for the one with the focus."""
 
-    def offers(self, key: Key[Any]) -> bool:
+    def offers(self, key: Key) -> bool:
         """Tell whether a key has a use."""
 
     def headline(self, state: FleetState, robot: str, width: int) -> Headline:
@@ -39,8 +38,9 @@ class ConsoleSession(Protocol):
     def time_line(self) -> "TimeLine | None":
         """Return the widget of the position in a recording."""
 
-    def play(self, do: Callable[[PlayerActions], object]) -> None:
-        """Run an action of a recording's player; show the reason if it fails."""
+    @property
+    def actions(self) -> Mapping[str, Callable[[], object]]:
+        """Return the actions of the keys of a recording's player."""
 
     def typed(self, line: str) -> "Typed | None":
         """Parse a typed line as a time to go to, None if it is not one."""
@@ -62,7 +62,7 @@ class LiveSession:
     def __init__(self, console: Console, _forget_trails: Callable[[], bool]) -> None:
         self._console = console
 
-    def offers(self, key: Key[Any]) -> bool:
+    def offers(self, key: Key) -> bool:
         """Leave out the keys of recordings."""
         return key.pane is not Pane.RECORDING
 
@@ -87,8 +87,7 @@ class LiveSession:
     def time_line(self) -> None:
         """Return no time line."""
 
-    def play(self, do: Callable[[PlayerActions], object]) -> None:
-        """Do nothing: there is no player."""
+    actions: Mapping[str, Callable[[], object]] = {}  # there is no player
 
     def typed(self, line: str) -> None:
         """Parse no line as a time."""

@@ -1,14 +1,13 @@
 """Every key of the console in one table, the source of bindings, help, palette, footer and config check."""
 
 from collections.abc import Collection, Mapping
-from typing import Any
 
 from fleet_tui.keys.console import CONSOLE
 from fleet_tui.keys.diagnostics import DIAGNOSTICS, PAGES
 from fleet_tui.keys.drive import DRIVE
 from fleet_tui.keys.edit import EDIT
 from fleet_tui.keys.history import HISTORY, HISTORY_PAGES
-from fleet_tui.keys.key import LISTS, Key, Pane, by_id
+from fleet_tui.keys.key import LISTS, Key, Pane
 from fleet_tui.keys.map import MAP
 from fleet_tui.keys.place import PLACE
 from fleet_tui.keys.recording import RECORDING
@@ -26,11 +25,10 @@ __all__ = [
     "ROWS",
     "Key",
     "Pane",
-    "by_id",
     "outdone",
 ]
 
-KEYS: tuple[Key[Any], ...] = (
+KEYS: tuple[Key, ...] = (
     *CONSOLE,
     *TABLES,
     *RECORDING,

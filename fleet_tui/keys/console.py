@@ -1,10 +1,9 @@
 """Keys of the console: they work from every pane."""
 
-from fleet_tui.actions import Actions
 from fleet_tui.keys.key import LISTS, Key, Pane
 from fleet_tui.text.language import Message
 
-PLAIN: tuple[Key[Actions], ...] = (
+PLAIN: tuple[Key, ...] = (
     Key(
         "next_robot_plain",
         (".",),
@@ -31,28 +30,17 @@ PLAIN: tuple[Key[Actions], ...] = (
         instead_of="next_floor",
     ),
     Key(
-        "previous_floor_plain",
-        ("<",),
-        Message("Previous floor"),
-        only_live=True,
-        instead_of="previous_floor",
+        "previous_floor_plain", ("<",), Message("Previous floor"), only_live=True, instead_of="previous_floor"
     ),
 )
 
 
-TOOLS: tuple[Key[Actions], ...] = (
+TOOLS: tuple[Key, ...] = (
     Key(
-        "diagnostics",
-        ("d",),
-        Message("Open diagnostics: links, topics, raw messages, logs"),
-        helps="leaves",
+        "diagnostics", ("d",), Message("Open diagnostics: links, topics, raw messages, logs"), helps="leaves"
     ),
     Key("record", (), Message("Record: start or stop a recording")),
-    Key(
-        "audit",
-        ("L",),
-        Message("Open the audit log: all commands and alarms with their outcome"),
-    ),
+    Key("audit", ("L",), Message("Open the audit log: all commands and alarms with their outcome")),
     Key(
         "history",
         ("H",),
@@ -65,34 +53,15 @@ TOOLS: tuple[Key[Actions], ...] = (
         Message("Programs of the robot servers: state, start, stop, restart, log"),
         only_live=True,
     ),
-    Key(
-        "routines",
-        ("B",),
-        Message("Routines: list, start, pause, resume, stop, progress"),
-        only_live=True,
-    ),
-    Key(
-        "desk", (), Message("Desk: consoles, claims, closed edges"), only_live=True
-    ),
-    Key(
-        "facilities",
-        ("K",),
-        Message("Facilities: lifts, doors, dispensers, closed lanes"),
-    ),
-    Key(
-        "bundle",
-        ("b",),
-        Message("Write an incident bundle: recording, log and doctor report"),
-    ),
-    Key(
-        "save",
-        (),
-        Message("Save: write the configuration of this console to a file"),
-    ),
+    Key("routines", ("B",), Message("Routines: list, start, pause, resume, stop, progress"), only_live=True),
+    Key("desk", (), Message("Desk: consoles, claims, closed edges"), only_live=True),
+    Key("facilities", ("K",), Message("Facilities: lifts, doors, dispensers, closed lanes")),
+    Key("bundle", ("b",), Message("Write an incident bundle: recording, log and doctor report")),
+    Key("save", (), Message("Save: write the configuration of this console to a file")),
 )
 
 
-def _robot(number: int) -> Key[Actions]:
+def _robot(number: int) -> Key:
     return Key(
         f"robot_{number}",
         (str(number),),
@@ -101,7 +70,7 @@ def _robot(number: int) -> Key[Actions]:
     )
 
 
-CONSOLE: tuple[Key[Actions], ...] = (
+CONSOLE: tuple[Key, ...] = (
     Key(
         "help",
         ("?",),
@@ -247,24 +216,14 @@ CONSOLE: tuple[Key[Actions], ...] = (
         of_any=True,
         needs=LISTS,
     ),
-    Key(
-        "next_robot",
-        ("]",),
-        Message("Next robot"),
-        hint=Message("robot"),
-        helps="stays",
-    ),
-    Key(
-        "previous_robot", ("[",), Message("Previous robot"), helps="stays"
-    ),
+    Key("next_robot", ("]",), Message("Next robot"), hint=Message("robot"), helps="stays"),
+    Key("previous_robot", ("[",), Message("Previous robot"), helps="stays"),
     *PLAIN,
     *map(_robot, range(1, 10)),
     Key("next_floor", ("}",), Message("Next floor"), hint=Message("floor")),
     Key("previous_floor", ("{",), Message("Previous floor")),
     Key("suspend", ("ctrl+z",), Message("Suspend to the shell; fg returns")),
-    Key(
-        "repaint", ("ctrl+l",), Message("Redraw the screen"), pane=Pane.ANYWHERE
-    ),
+    Key("repaint", ("ctrl+l",), Message("Redraw the screen"), pane=Pane.ANYWHERE),
     Key("quit", ("q",), Message("Quit"), hint=Message("quit"), always=True),
     Key(
         "say_quit",
@@ -282,12 +241,7 @@ CONSOLE: tuple[Key[Actions], ...] = (
         hint=Message("enlarge"),
     ),
     Key("next_pane", ("tab",), Message("Next pane"), in_palette=False),
-    Key(
-        "previous_pane",
-        ("shift+tab",),
-        Message("Previous pane"),
-        in_palette=False,
-    ),
+    Key("previous_pane", ("shift+tab",), Message("Previous pane"), in_palette=False),
     Key(
         "simple",
         ("s",),
@@ -296,16 +250,7 @@ CONSOLE: tuple[Key[Actions], ...] = (
         needs="order",
     ),
     *TOOLS,
-    Key(
-        "arm",
-        (),
-        Message("Arm: allow or block commands from this console"),
-        only_live=True,
-    ),
+    Key("arm", (), Message("Arm: allow or block commands from this console"), only_live=True),
     Key("acknowledge_all", ("A",), Message("Acknowledge all alarms")),
-    Key(
-        "alarm_menu",
-        (),
-        Message("Open the marked alarm's menu: explain, acknowledge, shelve, unshelve"),
-    ),
+    Key("alarm_menu", (), Message("Open the marked alarm's menu: explain, acknowledge, shelve, unshelve")),
 )

@@ -1,10 +1,7 @@
 """Keys and pages of the diagnostics screen."""
 
-from collections.abc import Callable
-
 from msgspec import Struct
 
-from fleet_tui.actions.panes import DiagnosticsActions
 from fleet_tui.keys.key import Key, Pane
 from fleet_tui.text.language import N_, Message
 
@@ -43,11 +40,7 @@ PAGES = {
 """The pages of the diagnostics screen, by their names."""
 
 
-def _page(number: int) -> Callable[[DiagnosticsActions], None]:
-    return lambda do: do.page(number)
-
-
-DIAGNOSTICS: tuple[Key[DiagnosticsActions], ...] = (
+DIAGNOSTICS: tuple[Key, ...] = (
     *(
         Key(
             f"page_{name.lower()}",
@@ -58,12 +51,7 @@ DIAGNOSTICS: tuple[Key[DiagnosticsActions], ...] = (
         for n, (name, page) in enumerate(PAGES.items(), 1)
     ),
     Key("next_page", ("tab",), Message("Next page"), pane=Pane.DIAGNOSTICS),
-    Key(
-        "previous_page",
-        ("shift+tab",),
-        Message("Previous page"),
-        pane=Pane.DIAGNOSTICS,
-    ),
+    Key("previous_page", ("shift+tab",), Message("Previous page"), pane=Pane.DIAGNOSTICS),
     Key(
         "filter",
         ("/",),
@@ -82,17 +70,7 @@ DIAGNOSTICS: tuple[Key[DiagnosticsActions], ...] = (
         Message("Copy the message or the row to the clipboard (OSC 52)"),
         pane=Pane.DIAGNOSTICS,
     ),
-    Key(
-        "level",
-        ("v",),
-        Message("Change the lowest level shown in the robot log"),
-        pane=Pane.DIAGNOSTICS,
-    ),
-    Key(
-        "bad",
-        ("b",),
-        Message("Toggle the raw message: last or last bad"),
-        pane=Pane.DIAGNOSTICS,
-    ),
+    Key("level", ("v",), Message("Change the lowest level shown in the robot log"), pane=Pane.DIAGNOSTICS),
+    Key("bad", ("b",), Message("Toggle the raw message: last or last bad"), pane=Pane.DIAGNOSTICS),
     Key("leave", ("escape", "q"), Message("Go back one level"), pane=Pane.DIAGNOSTICS),
 )

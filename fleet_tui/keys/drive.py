@@ -1,8 +1,5 @@
 """Keys of driving by hand. They work on the map, and take precedence there while a robot is driven."""
 
-from collections.abc import Callable
-
-from fleet_tui.actions import Actions, DriveActions
 from fleet_tui.keys.key import Key, Pane
 from fleet_tui.text.language import EMPTY, Message
 
@@ -32,25 +29,11 @@ WHILE_HELD = {
 """The ids of the keys that drive while held, and their directions."""
 
 
-def _drive(
-    name: str,
-    keys: tuple[str, ...],
-    do: Callable[[DriveActions], object],
-    text: Message,
-    hint: Message = EMPTY,
-) -> Key[Actions]:
-    return Key(
-        f"drive_{name}",
-        keys,
-        text,
-        pane=Pane.DRIVE,
-        hint=hint,
-        in_palette=False,
-        only_live=True,
-    )
+def _drive(name: str, keys: tuple[str, ...], text: Message, hint: Message = EMPTY) -> Key:
+    return Key(f"drive_{name}", keys, text, pane=Pane.DRIVE, hint=hint, in_palette=False, only_live=True)
 
 
-DRIVE: tuple[Key[Actions], ...] = (
+DRIVE: tuple[Key, ...] = (
     Key(
         "drive",
         ("T",),
@@ -64,16 +47,9 @@ DRIVE: tuple[Key[Actions], ...] = (
     _drive("back", ("s",), Message("Back, while held"), Message("back")),
     _drive("left", ("a",), Message("Turn left, while held"), Message("left")),
     _drive("right", ("d",), Message("Turn right, while held"), Message("right")),
-    _drive(
-        "leave",
-        ("escape",),
-        Message("Stop and leave; any other key stops"),
-        Message("leave"),
-    ),
+    _drive("leave", ("escape",), Message("Stop and leave; any other key stops"), Message("leave")),
     _drive("sideways_left", ("q",), Message("Sideways to the left, if it can")),
     _drive("sideways_right", ("e",), Message("Sideways to the right, if it can")),
-    _drive(
-        "faster", ("+",), Message("Faster, up to the cap"), Message("faster")
-    ),
+    _drive("faster", ("+",), Message("Faster, up to the cap"), Message("faster")),
     _drive("slower", ("-",), Message("Slower"), Message("slower")),
 )

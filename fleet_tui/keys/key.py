@@ -1,8 +1,7 @@
-"""One key: its default, its action, its help text and its hint in the footer."""
+"""One key: its default, its help text and its hint in the footer."""
 
-from collections.abc import Callable, Iterable
 from enum import Enum
-from typing import Generic, Literal, TypeVar
+from typing import Literal
 
 from msgspec import Struct
 
@@ -10,10 +9,6 @@ from fleet_tui.text.language import EMPTY, N_, Message
 
 LISTS = "lists orders"
 """A need: of robots that report their orders."""
-
-
-Doer = TypeVar("Doer")
-"""The protocols of actions that a key can call."""
 
 
 class Pane(Enum):
@@ -46,13 +41,11 @@ class Pane(Enum):
         return self in (Pane.CONSOLE, Pane.ANYWHERE, Pane.RECORDING)
 
 
-class Key(Struct, Generic[Doer], frozen=True):
-    """`id` names it in the config; `keys` are the defaults. `action` is a call on the actions of its pane:
-    for tables and diagnostics those of the focused widget, else those of the console."""
+class Key(Struct, frozen=True):
+    """`id` names it in the config, and its action where its pane is made; `keys` are the defaults."""
 
     id: str
     keys: tuple[str, ...]
-    action: Callable[[Doer], object]
     text: Message
     pane: Pane = Pane.CONSOLE
     hint: Message = EMPTY
@@ -101,8 +94,3 @@ def key_name(key: str) -> str:
     else:
         name = _NAMES.get(last, last.capitalize())
     return "-".join([*(modifier.capitalize() for modifier in modifiers), name])
-
-
-def by_id(keys: Iterable[Key[Doer]]) -> dict[str, Key[Doer]]:
-    """Return the keys of one table by their ids."""
-    return {key.id: key for key in keys}

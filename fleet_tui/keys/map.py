@@ -1,33 +1,15 @@
 """Keys of the map, most of which work from every pane."""
 
-from fleet_tui.actions import Actions
 from fleet_tui.keys.key import Key, Pane
 from fleet_tui.text.language import Message
 
-MAP: tuple[Key[Actions], ...] = (
-    Key(
-        "zoom_in", ("+",), Message("Zoom in"), hint=Message("zoom"), of_map=True
-    ),
+MAP: tuple[Key, ...] = (
+    Key("zoom_in", ("+",), Message("Zoom in"), hint=Message("zoom"), of_map=True),
     Key("zoom_out", ("-",), Message("Zoom out"), of_map=True),
+    Key("fit", ("0",), Message("Fit the floor to the pane"), hint=Message("fit"), of_map=True),
+    Key("zoom_about", ("z",), Message("Toggle the zoom centre: robot or view"), of_map=True),
     Key(
-        "fit",
-        ("0",),
-        Message("Fit the floor to the pane"),
-        hint=Message("fit"),
-        of_map=True,
-    ),
-    Key(
-        "zoom_about",
-        ("z",),
-        Message("Toggle the zoom centre: robot or view"),
-        of_map=True,
-    ),
-    Key(
-        "follow",
-        ("f",),
-        Message("Toggle following the selected robot"),
-        hint=Message("follow"),
-        of_map=True,
+        "follow", ("f",), Message("Toggle following the selected robot"), hint=Message("follow"), of_map=True
     ),
     Key(
         "centre",
@@ -39,36 +21,11 @@ MAP: tuple[Key[Actions], ...] = (
     ),
     Key("edges", ("e",), Message("Toggle edges"), of_map=True),
     Key("labels", ("v",), Message("Toggle labels"), of_map=True),
-    Key(
-        "trails",
-        ("t",),
-        Message("Toggle trails: robot positions of the last minute"),
-        of_map=True,
-    ),
-    Key(
-        "drawing",
-        ("m",),
-        Message("Cycle the drawing: braille, half-block, ASCII"),
-        of_map=True,
-    ),
-    Key(
-        "map_cursor",
-        ("g",),
-        Message("Toggle the map cursor; arrows move it"),
-        of_map=True,
-    ),
-    Key(
-        "next_vertex",
-        ("n",),
-        Message("Go to the next labelled vertex"),
-        of_map=True,
-    ),
-    Key(
-        "previous_vertex",
-        ("N",),
-        Message("Go to the previous labelled vertex"),
-        of_map=True,
-    ),
+    Key("trails", ("t",), Message("Toggle trails: robot positions of the last minute"), of_map=True),
+    Key("drawing", ("m",), Message("Cycle the drawing: braille, half-block, ASCII"), of_map=True),
+    Key("map_cursor", ("g",), Message("Toggle the map cursor; arrows move it"), of_map=True),
+    Key("next_vertex", ("n",), Message("Go to the next labelled vertex"), of_map=True),
+    Key("previous_vertex", ("N",), Message("Go to the previous labelled vertex"), of_map=True),
     Key("pan_left", ("left", "h"), Message("Pan left"), pane=Pane.MAP),
     Key("pan_right", ("right", "l"), Message("Pan right"), pane=Pane.MAP),
     Key("pan_up", ("up", "k"), Message("Pan up"), pane=Pane.MAP),

@@ -1,8 +1,5 @@
 """Keys of the choice of a pose or goal on the map. They take precedence there while one is chosen."""
 
-from collections.abc import Callable
-
-from fleet_tui.actions import Actions, PlaceActions
 from fleet_tui.keys.key import Key, Pane
 from fleet_tui.text.language import EMPTY, Message
 
@@ -11,25 +8,11 @@ FINE_TURN = 1
 """Degrees of a step."""
 
 
-def _place(
-    name: str,
-    keys: tuple[str, ...],
-    do: Callable[[PlaceActions], object],
-    text: Message,
-    hint: Message = EMPTY,
-) -> Key[Actions]:
-    return Key(
-        f"place_{name}",
-        keys,
-        text,
-        pane=Pane.PLACE,
-        hint=hint,
-        in_palette=False,
-        only_live=True,
-    )
+def _place(name: str, keys: tuple[str, ...], text: Message, hint: Message = EMPTY) -> Key:
+    return Key(f"place_{name}", keys, text, pane=Pane.PLACE, hint=hint, in_palette=False, only_live=True)
 
 
-PLACE: tuple[Key[Actions], ...] = (
+PLACE: tuple[Key, ...] = (
     Key(
         "laser",
         ("u",),
@@ -40,11 +23,7 @@ PLACE: tuple[Key[Actions], ...] = (
         only_live=True,
     ),
     Key(
-        "path",
-        ("U",),
-        Message("Planned path of the selected robot on or off"),
-        needs="path",
-        only_live=True,
+        "path", ("U",), Message("Planned path of the selected robot on or off"), needs="path", only_live=True
     ),
     Key(
         "camera",
@@ -73,15 +52,8 @@ PLACE: tuple[Key[Actions], ...] = (
         commands=True,
         only_live=True,
     ),
-    Key(
-        "mapping",
-        ("M",),
-        Message("Mapping: on, off, the live map, save it"),
-        only_live=True,
-    ),
-    _place(
-        "send", ("enter",), Message("Ask, then send the pose or goal"), Message("send")
-    ),
+    Key("mapping", ("M",), Message("Mapping: on, off, the live map, save it"), only_live=True),
+    _place("send", ("enter",), Message("Ask, then send the pose or goal"), Message("send")),
     _place(
         "left",
         ("h",),
@@ -94,21 +66,8 @@ PLACE: tuple[Key[Actions], ...] = (
         Message("Turn the heading {degrees} degrees to the right", degrees=TURN),
         Message("right"),
     ),
-    _place(
-        "fine_left",
-        ("H",),
-        Message("Turn {degrees} degree to the left", degrees=FINE_TURN),
-    ),
-    _place(
-        "fine_right",
-        ("L",),
-        Message("Turn {degrees} degree to the right", degrees=FINE_TURN),
-    ),
-    _place(
-        "snap",
-        ("s",),
-        Message("Snap the pose to the best fit of the scan nearby"),
-        Message("best fit"),
-    ),
+    _place("fine_left", ("H",), Message("Turn {degrees} degree to the left", degrees=FINE_TURN)),
+    _place("fine_right", ("L",), Message("Turn {degrees} degree to the right", degrees=FINE_TURN)),
+    _place("snap", ("s",), Message("Snap the pose to the best fit of the scan nearby"), Message("best fit")),
     _place("leave", ("escape",), Message("Leave without sending"), Message("back")),
 )

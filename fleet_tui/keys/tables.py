@@ -1,10 +1,9 @@
 """Keys of the tables that work from every pane: without a focused table they are the fleet's."""
 
-from fleet_tui.actions import Actions
 from fleet_tui.keys.key import Key
 from fleet_tui.text.language import Message
 
-TABLES: tuple[Key[Actions], ...] = (
+TABLES: tuple[Key, ...] = (
     Key(
         "filter_rows",
         ("/",),
@@ -34,10 +33,5 @@ TABLES: tuple[Key[Actions], ...] = (
         Message("Group the fleet by floor, by link, or not; Enter folds a group"),
         of_rows=True,
     ),
-    Key(
-        "copy_row",
-        ("y",),
-        Message("Copy the row to the clipboard (OSC 52)"),
-        of_rows=True,
-    ),
+    Key("copy_row", ("y",), Message("Copy the row to the clipboard (OSC 52)"), of_rows=True),
 )

@@ -3,23 +3,12 @@ them, and the action of every key, click and typed line."""
 
 from collections.abc import Callable, Sequence
 from functools import partial
-from typing import Any, assert_never
+from typing import assert_never
 
 from msgspec.structs import replace
 from textual.screen import Screen
 from textual.worker import get_current_worker
 
-from fleet_tui.actions import (
-    Actions,
-    AlarmActions,
-    AppActions,
-    CommandActions,
-    DriveActions,
-    EditActions,
-    FileActions,
-    PlaceActions,
-    ViewActions,
-)
 from fleet_tui.controllers.alarms import AlarmResponses
 from fleet_tui.controllers.console import Console
 from fleet_tui.controllers.desk.commands import DeskCommands
@@ -55,7 +44,9 @@ from fleet_tui.controllers.tables.facilities import FacilityList
 from fleet_tui.controllers.typed import Typed
 from fleet_tui.keys import KEYS, Key, Pane
 from fleet_tui.keys.drive import PASSES, WHILE_HELD
+from fleet_tui.keys.edit import FAR
 from fleet_tui.keys.key import key_name
+from fleet_tui.keys.place import FINE_TURN, TURN
 from fleet_tui.model.alarm import Key as AlarmKey
 from fleet_tui.rules.alarms.trouble import alarms_of_none, in_turn, next_in_trouble
 from fleet_tui.rules.battery.charging import has_low_battery
@@ -231,7 +222,7 @@ class Features:
             return Message("a robot is driven by hand")
         return Message("a routine runs here") if self.routines.has_losses else EMPTY
 
-    def _run(self, key: Key[Any]) -> None:
+    def _run(self, key: Key) -> None:
         """Run the action of a key, after the current one."""
         self._screen.call_later(self._screen.run_action, action_of(key))
 
@@ -308,7 +299,7 @@ class Features:
             return Pane.DRIVE
         return Pane.PLACE if self.poses.mode is not None else Pane.MAP
 
-    def blocks(self, key: Key[Any]) -> bool:
+    def blocks(self, key: Key) -> bool:
         """Tell whether a key does nothing now: keys of modes work in theirs alone, and in a drive all others
         stop the robot."""
         mode = self.map_pane
@@ -329,12 +320,6 @@ class Features:
             return Pane.HISTORY
         return Pane.ROWS if isinstance(self._screen.focused, RowsPane) else Pane.CONSOLE
 
-    def _drive_actions(self) -> DriveActions:
-        drives = self.drives
-        return DriveActions(
-            start=drives.start, press=drives.press, change_speed=drives.change_speed, leave=drives.leave
-        )
-
     def _after_a_drive(self, reason: Message, do: Callable[[], object]) -> Callable[[], object]:
         """Return an action that ends a drive first."""
 
@@ -344,46 +329,164 @@ class Features:
 
         return end_first
 
-    def _key_actions(self) -> Actions:
-        """Return the actions of keys on a screen with all its controllers."""
-        return Actions(
-            app=self._app_actions(),
-            commands=CommandActions(
-                order=self._order,
-                cancel=self.orders.cancel,
-                clear=self.orders.clear,
-                charge=self.orders.charge_now,
-                pause=self.robots.pause,
-                resume=self.robots.resume,
-                pause_all=self._after_a_drive(Message("pause all"), self.robots.pause_all),
-                resume_all=self.robots.resume_all,
-                arm=self._console.dispatch.arm,
-            ),
-            view=self._view_actions(),
-            rows=self.tables.actions,
-            files=self._file_actions(),
-            alarms=AlarmActions(
-                self.alarms.acknowledge, self.alarms.acknowledge_all, self.alarms.marked_menu
-            ),
-            map=self.map_controls,
-            place=self._place_actions(),
-            edit=self._edit_actions(),
-            drive=self._drive_actions(),
-            play=self._session.play,
-        )
+    def _key_actions(self) -> dict[str, Callable[[], object]]:
+        """Return the action of each key that works on the screen, by its id."""
+        return {
+            **self._app_actions(),
+            **self._command_actions(),
+            **self._view_actions(),
+            **self._map_actions(),
+            **self._place_actions(),
+            **self._edit_actions(),
+            **self._drive_actions(),
+            **self.tables.actions,
+            **self._session.actions,
+        }
 
-    def _app_actions(self) -> AppActions:
-        app = self._screen.app
-        assert isinstance(app, LeanApp)
-        return AppActions(
-            suspend=self._after_a_drive(Message("suspended"), app.action_suspend_process),
-            repaint=app.action_repaint,
-            quit=self.routines.quit,
-            say_quit=self._say_quit,
-            back=self._back,
-            next_pane=app.action_focus_next,
-            previous_pane=app.action_focus_previous,
-        )
+    def _app_actions(self) -> dict[str, Callable[[], object]]:
+        app, screen = self._app, self._screen
+        recording = RecordingSwitch(self._console, partial(screen.run_worker, thread=True))
+        shot = partial(app.export_screenshot, title="fleet-tui")
+        incident = IncidentPacking(self._console, shot, self._in_thread)
+        return {
+            "suspend": self._after_a_drive(Message("suspended"), app.action_suspend_process),
+            "repaint": app.action_repaint,
+            "quit": self.routines.quit,
+            "say_quit": self._say_quit,
+            "back": self._back,
+            "next_pane": app.action_focus_next,
+            "previous_pane": app.action_focus_previous,
+            "record": recording.turn,
+            "bundle": incident.pack,
+            "save": self.save.start,
+        }
+
+    def _command_actions(self) -> dict[str, Callable[[], object]]:
+        orders, robots, alarms = self.orders, self.robots, self.alarms
+        pause_all = self._after_a_drive(Message("pause all"), robots.pause_all)
+        return {
+            "order": self._order,
+            "cancel": orders.cancel,
+            "clear": orders.clear,
+            "charge": orders.charge_now,
+            "pause": robots.pause,
+            "resume": robots.resume,
+            "pause_all": pause_all,
+            "pause_all_anywhere": pause_all,
+            "resume_all": robots.resume_all,
+            "arm": self._console.dispatch.arm,
+            "acknowledge": alarms.acknowledge,
+            "acknowledge_all": alarms.acknowledge_all,
+            "alarm_menu": alarms.marked_menu,
+        }
+
+    def _view_actions(self) -> dict[str, Callable[[], object]]:
+        navigation = self._navigation
+        steps = {
+            "next_robot": partial(navigation.step_robot, 1),
+            "previous_robot": partial(navigation.step_robot, -1),
+            "next_floor": partial(navigation.step_floor, 1),
+            "previous_floor": partial(navigation.step_floor, -1),
+        }
+        return {
+            **steps,
+            **{f"{id_}_plain": step for id_, step in steps.items()},
+            **{f"robot_{n}": partial(self._choose_robot, n) for n in range(1, 10)},
+            "help": self._show_help,
+            "help_anywhere": self._show_help,
+            "palette": self.palette.show,
+            "simple": self.simple.turn,
+            "why": self._why,
+            "robot_page": self.robot_page.show,
+            "all_orders": self._all_orders,
+            "enlarge": self._panes.enlarge,
+            "diagnostics": self._diagnose,
+            "audit": self.audit_log.show,
+            "history": self.history.show,
+            "programs": self.programs.show,
+            "routines": self.routines.show,
+            "desk": self.desk.menu,
+            "facilities": self.facilities.menu,
+            "go_to_time": partial(self.palette.show, "@"),
+            "next_trouble": self._next_trouble,
+        }
+
+    def _map_actions(self) -> dict[str, Callable[[], object]]:
+        controls = self.map_controls
+        return {
+            "zoom_in": controls.zoom_in,
+            "zoom_out": controls.zoom_out,
+            "fit": controls.fit,
+            "zoom_about": controls.zoom_about,
+            "follow": controls.follow,
+            "centre": controls.centre,
+            "edges": controls.edges,
+            "labels": controls.labels,
+            "trails": controls.trails,
+            "drawing": controls.drawing,
+            "map_cursor": controls.cursor,
+            "next_vertex": partial(controls.next_vertex, 1),
+            "previous_vertex": partial(controls.next_vertex, -1),
+            "pan_left": partial(controls.pan, -1, 0),
+            "pan_right": partial(controls.pan, 1, 0),
+            "pan_up": partial(controls.pan, 0, -1),
+            "pan_down": partial(controls.pan, 0, 1),
+            "pick": controls.pick,
+            "laser": self.streams.laser,
+            "path": self.streams.path,
+            "camera": self.camera_switch.turn,
+            "mapping": self.mapping.menu,
+        }
+
+    def _place_actions(self) -> dict[str, Callable[[], object]]:
+        poses = self.poses
+        return {
+            "pose": poses.pose,
+            "goal": poses.goal,
+            "place_send": poses.send,
+            "place_left": partial(poses.turn, TURN),
+            "place_right": partial(poses.turn, -TURN),
+            "place_fine_left": partial(poses.turn, FINE_TURN),
+            "place_fine_right": partial(poses.turn, -FINE_TURN),
+            "place_snap": self.snap.snap,
+            "place_leave": poses.leave,
+        }
+
+    def _edit_actions(self) -> dict[str, Callable[[], object]]:
+        editor, drawing, values, pan = self.editor, self.drawing, self.values, self.map_controls.pan
+        return {
+            "edit": editor.start,
+            "edit_add": drawing.add_at_cursor,
+            "edit_connect": drawing.connect,
+            "edit_select": drawing.select,
+            "edit_name": values.name,
+            "edit_type": values.choose_type,
+            "edit_turn": drawing.turn,
+            "edit_move": drawing.hold,
+            "edit_remove": drawing.remove,
+            "edit_undo": editor.undo,
+            "edit_redo": editor.redo,
+            "edit_lint": self.checks.show_findings,
+            "edit_compare": self.checks.compare,
+            "edit_write": self.draft_files.write,
+            "edit_send": self.sending.start,
+            "edit_add_at_robot": drawing.add_at_robot,
+            "edit_leave": editor.leave,
+            "edit_left_far": partial(pan, -FAR, 0),
+            "edit_right_far": partial(pan, FAR, 0),
+            "edit_up_far": partial(pan, 0, -FAR),
+            "edit_down_far": partial(pan, 0, FAR),
+        }
+
+    def _drive_actions(self) -> dict[str, Callable[[], object]]:
+        drives = self.drives
+        return {
+            "drive": drives.start,
+            **{id_: partial(drives.press, direction) for id_, direction in WHILE_HELD.items()},
+            "drive_leave": drives.leave,
+            "drive_faster": partial(drives.change_speed, 1),
+            "drive_slower": partial(drives.change_speed, -1),
+        }
 
     def _say_quit(self) -> None:
         """Name the key that quits: Ctrl-C and Ctrl-Q are pressed by those who look for it."""
@@ -410,31 +513,9 @@ class Features:
         if self.map.display:
             self._screen.set_focus(self.map)
 
-    def _view_actions(self) -> ViewActions:
-        navigation = self._navigation
-        return ViewActions(
-            help=self._show_help,
-            palette=self.palette.show,
-            simple=self.simple.turn,
-            why=self._why,
-            robot_page=self.robot_page.show,
-            all_orders=self._all_orders,
-            enlarge=self._panes.enlarge,
-            diagnostics=lambda: self.diagnostics.show(
-                navigation.robot, self.why.cause or self.why.first_reason(in_need=True)
-            ),
-            audit=self.audit_log.show,
-            history=self.history.show,
-            programs=self.programs.show,
-            routines=self.routines.show,
-            desk=self.desk.menu,
-            facilities=self.facilities.menu,
-            go_to_time=partial(self.palette.show, "@"),
-            step_robot=navigation.step_robot,
-            choose_robot=self._choose_robot,
-            step_floor=navigation.step_floor,
-            next_trouble=self._next_trouble,
-        )
+    def _diagnose(self) -> None:
+        cause = self.why.cause or self.why.first_reason(in_need=True)
+        self.diagnostics.show(self._navigation.robot, cause)
 
     def _order(self) -> None:
         """Open the order form, from the reasons of a robot with a low battery for its way to a charger."""
@@ -509,48 +590,6 @@ class Features:
                 )
         if not keys:
             self._console.notices.hint(Message("no robot has an alarm or needs attention"))
-
-    def _place_actions(self) -> PlaceActions:
-        return PlaceActions(
-            laser=self.streams.laser,
-            path=self.streams.path,
-            camera=self.camera_switch.turn,
-            mapping=self.mapping.menu,
-            pose=self.poses.pose,
-            goal=self.poses.goal,
-            turn=self.poses.turn,
-            snap=self.snap.snap,
-            send=self.poses.send,
-            leave=self.poses.leave,
-        )
-
-    def _edit_actions(self) -> EditActions:
-        editor, drawing, values = self.editor, self.drawing, self.values
-        return EditActions(
-            start=editor.start,
-            leave=editor.leave,
-            select=drawing.select,
-            add_at_cursor=drawing.add_at_cursor,
-            add_at_robot=drawing.add_at_robot,
-            connect=drawing.connect,
-            remove=drawing.remove,
-            hold=drawing.hold,
-            turn=drawing.turn,
-            choose_type=values.choose_type,
-            name=values.name,
-            undo=editor.undo,
-            redo=editor.redo,
-            lint=self.checks.show_findings,
-            compare=self.checks.compare,
-            write=self.draft_files.write,
-            send=self.sending.start,
-        )
-
-    def _file_actions(self) -> FileActions:
-        recording = RecordingSwitch(self._console, partial(self._screen.run_worker, thread=True))
-        shot = partial(self._app.export_screenshot, title="fleet-tui")
-        incident = IncidentPacking(self._console, shot, self._in_thread)
-        return FileActions(record=recording.turn, bundle=incident.pack, save=self.save.start)
 
     def _in_thread(self, work: Callable[[Cancelled], None]) -> None:
         def run() -> None:

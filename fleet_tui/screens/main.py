@@ -226,7 +226,7 @@ class MainScreen(Screen[None]):
 
     async def action_key(self, id_: str) -> None:
         self.notices.key_pressed()
-        done = BY_ID[id_].action(self.features.actions)
+        done = self.features.actions[id_]()
         if isawaitable(done):
             await done
 

@@ -1,7 +1,6 @@
 """Textual's bindings from the one table of keys."""
 
 from collections.abc import Mapping
-from typing import Any
 
 from textual.binding import Binding, BindingType
 from textual.keys import _character_to_key
@@ -44,7 +43,7 @@ def _rebound(actions: Mapping[str, str]) -> list[BindingType]:
     ]
 
 
-def action_of(key: Key[Any]) -> str:
+def action_of(key: Key) -> str:
     """Return Textual's action string: tables and diagnostics run their own keys, the main screen the
     others."""
     widget = "" if key.pane in (Pane.ROWS, Pane.DIAGNOSTICS, Pane.HISTORY) else "screen."

@@ -1,10 +1,12 @@
 """A pane of rows: a title in a rule, a cursor that stays with its row, buttons for the mouse."""
 
 from collections.abc import Callable, Hashable
+from functools import partial
+from typing import Protocol
 
 from textual import events, on
 
-from fleet_tui.keys import ROWS, Pane, by_id
+from fleet_tui.keys import Pane
 from fleet_tui.view.tables.arrangement import RowArrangement
 from fleet_tui.view.tables.listing import Listing
 from fleet_tui.view.tables.table import Table
@@ -12,7 +14,31 @@ from fleet_tui.widgets.bindings import bindings
 from fleet_tui.widgets.messages import ButtonPressed, RowChosen, RowPicked
 from fleet_tui.widgets.runs_view import RunsView
 
-KEYS = by_id(ROWS)
+
+class Scrolled(Protocol):
+    """What the keys of tables move in."""
+
+    def move(self, step: int) -> None:
+        """Move the cursor by rows."""
+
+    def slide(self, step: int) -> None:
+        """Slide long rows to the left or right."""
+
+    def open_menu(self) -> None:
+        """Open the menu of the cursor's row."""
+
+
+def row_actions(rows: Scrolled) -> dict[str, Callable[[], None]]:
+    """Return the actions of the keys of tables."""
+    return {
+        "row_up": partial(rows.move, -1),
+        "row_down": partial(rows.move, 1),
+        "column_left": partial(rows.slide, -1),
+        "column_right": partial(rows.slide, 1),
+        "page_up": partial(rows.move, -10),
+        "page_down": partial(rows.move, 10),
+        "menu": rows.open_menu,
+    }
 
 
 class RowsPane(RunsView, can_focus=True):
@@ -50,7 +76,7 @@ class RowsPane(RunsView, can_focus=True):
 
     def action_key(self, id_: str) -> None:
         """Run the action of a key of tables."""
-        KEYS[id_].action(self)
+        row_actions(self)[id_]()
 
     def move(self, step: int) -> None:
         """Move the cursor up or down, and report it."""

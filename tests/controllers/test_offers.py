@@ -1,6 +1,6 @@
 """Lines of the palette: actions, a place for everything with a name, and what typed text means."""
 
-from typing import Any, cast
+from typing import cast
 
 from fleet_tui.controllers.offers import Offers
 from fleet_tui.controllers.save import SaveCommand
@@ -21,7 +21,7 @@ class Answers:
     def __init__(self, prefix: str) -> None:
         self._prefix = prefix
 
-    def offers(self, key: Key[Any]) -> bool:
+    def offers(self, key: Key) -> bool:
         return key.pane in self.panes
 
     def typed(self, line: str) -> Typed | None:
@@ -47,7 +47,7 @@ class Palette:
             self._run,
         )
 
-    def _run(self, key: Key[Any]) -> None:
+    def _run(self, key: Key) -> None:
         self.run.append(key.id)
 
     def choose(self, text: str) -> None:

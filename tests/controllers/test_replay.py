@@ -1,6 +1,5 @@
 """A console on a recording: its time is never taken for now, and what is typed goes to a time."""
 
-from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -80,12 +79,33 @@ def test_a_time_is_gone_to_when_it_is_chosen(played: Played, monkeypatch: pytest
     assert text == "Go to +1m5s" and sought[0] == T0 + 65 and sought[1] <= T0 + 1
 
 
-def test_actions_of_the_player_may_say_why_not(played: Played) -> None:
-    played.replay.play(lambda _player: Message("no mark there"))
+def test_actions_of_the_player_may_say_why_not(played: Played, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(played.player, "to_mark", lambda _step: Message("no mark there"))
+    played.replay.actions["next_mark"]()
     assert played.notices.text == "no mark there"
-    actions: list[Callable[[], object]] = []
-    played.replay.play(lambda _player: actions.append(played.player.toggle))
-    assert len(actions) == 1
+
+
+@pytest.mark.parametrize(
+    ("back", "on", "step"),
+    [
+        ("skip_back", "skip_on", ("skip", 10)),
+        ("previous_mark", "next_mark", ("to_mark", 1)),
+        ("step_back", "step_on", ("step", 1)),
+        ("record_back", "record_on", ("step_record", 1)),
+        ("slower", "faster", ("change_speed", 1)),
+        ("to_beginning", "to_the_end", ("to_end", 1)),
+        ("usual_speed", "usual_speed", ("change_speed", 0)),
+    ],
+)
+def test_a_pair_of_keys_moves_both_ways(
+    played: Played, monkeypatch: pytest.MonkeyPatch, back: str, on: str, step: tuple[str, int]
+) -> None:
+    name, by = step
+    told: list[float] = []
+    monkeypatch.setattr(played.player, name, told.append)
+    played.replay.actions[on]()
+    played.replay.actions[back]()
+    assert told == [by, -by]
 
 
 def test_keys_of_live_consoles_are_not_offered(played: Played) -> None:

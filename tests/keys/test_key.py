@@ -2,8 +2,8 @@
 
 import pytest
 
-from fleet_tui.keys import KEYS
-from fleet_tui.keys.key import Pane, by_id, key_name
+from fleet_tui.keys import BY_ID, KEYS
+from fleet_tui.keys.key import Pane, key_name
 
 
 def test_keys_that_work_everywhere_are_those_without_a_pane_of_their_own() -> None:
@@ -19,8 +19,16 @@ def test_a_key_of_the_map_or_the_tables_is_in_its_section_wherever_it_works() ->
 
 
 def test_every_row_is_found_by_its_id() -> None:
-    assert len(by_id(KEYS)) == len(KEYS)
-    assert all(by_id(KEYS)[key.id] is key for key in KEYS)
+    assert len(BY_ID) == len(KEYS)
+
+
+def test_keys_that_command_are_hidden_from_who_may_not_and_need_a_robot_that_can() -> None:
+    commanding = {key.id for key in KEYS if key.commands}
+    assert commanding == {
+        *("order", "cancel", "clear", "charge", "pose", "goal", "drive"),
+        *("pause", "resume", "pause_all", "pause_all_anywhere", "resume_all"),
+    }
+    assert all(BY_ID[id_].needs for id_ in commanding)
 
 
 @pytest.mark.parametrize(

@@ -92,6 +92,19 @@ class HistoryControls:
         self.notice = EMPTY
         self.is_reading = False
         self._wanted = 0
+        self.actions: dict[str, Callable[[], None]] = {
+            **{f"history_{name.lower()}": partial(self.page, n) for n, name in enumerate(HISTORY_PAGES, 1)},
+            "history_next_page": partial(self.step_page, 1),
+            "history_previous_page": partial(self.step_page, -1),
+            "history_filter": self.filter,
+            "history_earlier": partial(self.shift, -1),
+            "history_later": partial(self.shift, 1),
+            "history_longer": partial(self.stretch, 1),
+            "history_shorter": partial(self.stretch, -1),
+            "history_floor": self.next_floor,
+            "history_replay": self.replay,
+            "history_leave": self.leave,
+        }
 
     @property
     def name(self) -> str:

@@ -13,7 +13,7 @@ from fleet_tui.recording.play.playback import Playback
 from fleet_tui.recording.play.times import moment_of
 from fleet_tui.recording.recording import Recording
 from fleet_tui.state.store import Store
-from fleet_tui.text.language import Message, message_of
+from fleet_tui.text.language import EMPTY, Message, message_of
 from fleet_tui.view.lines.time import ReplayPosition
 
 LOG = logging.getLogger(__name__)
@@ -99,7 +99,7 @@ class Player:
         """Go to the beginning (-1) or the end (1)."""
         self.seek(self._recording.end.at if step > 0 else self._recording.begin.at)
 
-    def to_mark(self, step: int) -> str:
+    def to_mark(self, step: int) -> Message:
         """Go to the next (1) or previous (-1) mark; return a notice if no such mark exists."""
         here, marks = self._going_to, self._playback.marks
         if step > 0:
@@ -110,7 +110,7 @@ class Player:
         for mark in found:
             self.seek(mark.at)
         if found:
-            return ""
+            return EMPTY
         if step > 0:
             return Message("no alarm, command or gap after this")
         return Message("no alarm, command or gap before this")

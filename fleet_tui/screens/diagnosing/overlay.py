@@ -1,11 +1,12 @@
 """The diagnostics screen: a live version of `doctor`. It uses no resources while it is closed."""
 
-from collections.abc import Hashable, Mapping
+from collections.abc import Callable, Hashable, Mapping
+from functools import partial
 from typing import ClassVar
 
 from textual.binding import BindingType
 
-from fleet_tui.keys import DIAGNOSTICS, PAGES, Pane, by_id
+from fleet_tui.keys import PAGES, Pane
 from fleet_tui.rules.why.reason import Reason
 from fleet_tui.screens.diagnosing.pages import BESIDE, Page, Pages, line_of
 from fleet_tui.screens.tables.paged_overlay import PagedOverlay
@@ -15,7 +16,6 @@ from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.view.lines.diagnostics import foot_runs, page_runs
 from fleet_tui.widgets.bindings import bindings, overlay_bindings
 
-KEYS = by_id(DIAGNOSTICS)
 EVERY = 0.25  # seconds between two updates
 TWO_PAGES = 180
 """Cells of the screen from which a second page is beside the open one."""
@@ -32,6 +32,17 @@ class DiagnosticsControls:
         self._cursors: dict[Page, Hashable] = {}
         self._came_from_topics = False
         self._robot = ""
+        self.actions: dict[str, Callable[[], None]] = {
+            **{f"page_{name.lower()}": partial(self.page, n) for n, name in enumerate(PAGES, 1)},
+            "next_page": partial(self.step_page, 1),
+            "previous_page": partial(self.step_page, -1),
+            "filter": self.filter,
+            "freeze": self.freeze,
+            "copy": self.copy,
+            "level": self.next_level,
+            "bad": self.show_bad,
+            "leave": self.leave,
+        }
 
     def begin(self, robot: str, page: Page | None = None) -> None:
         """Show a page, by default the one that was open last; a topic of `robot` is marked if another one was
@@ -133,6 +144,7 @@ class Diagnostics(PagedOverlay):
         self._pages = pages
         self._keys = keys
         self._controls = DiagnosticsControls(self, pages)
+        self.actions = self._controls.actions
         self._end: Hashable = None
         super().__init__("diagnostics", self._controls.choose, EVERY, self._controls.say)
 
@@ -180,4 +192,4 @@ class Diagnostics(PagedOverlay):
         self.beside.show(self._pages.table(page, self._budget))
 
     def action_key(self, id_: str) -> None:
-        KEYS[id_].action(self._controls)
+        self.actions[id_]()

@@ -11,7 +11,7 @@ from textual.binding import BindingType
 from fleet_tui.controllers.console import Console
 from fleet_tui.controllers.history.controls import HistoryControls
 from fleet_tui.controllers.history.replaying import PastReplay, run_in_terminal
-from fleet_tui.keys import HISTORY, Pane, by_id
+from fleet_tui.keys import Pane
 from fleet_tui.log_file import state_folder
 from fleet_tui.rules.history.division import Division
 from fleet_tui.screens.tables.paged_overlay import PagedOverlay
@@ -34,7 +34,6 @@ from fleet_tui.view.tables.arrangement import RowArrangement
 from fleet_tui.view.tables.table import Row, Table, column
 from fleet_tui.widgets.bindings import bindings, overlay_bindings
 
-KEYS = by_id(HISTORY)
 EVERY = 5.0
 """Seconds between two looks into a history that goes on."""
 FIGURES = {"Robots": 1, "Batteries": 28, "Alarms": 32}
@@ -127,6 +126,7 @@ class HistoryOverlay(PagedOverlay):
         self._keys = console.settings.keys
         replaying = PastReplay(console, state_folder(), loss, self._run)
         self._controls = HistoryControls(self, console, replaying)
+        self.actions = self._controls.actions
         super().__init__("history", self._controls.choose, EVERY, self._answer)
 
     def _run(self, command: Sequence[str]) -> Message:
@@ -170,7 +170,7 @@ class HistoryOverlay(PagedOverlay):
         self._foot.show(*foot_runs(self._keys, controls.name, controls.notice))
 
     def action_key(self, id_: str) -> None:
-        KEYS[id_].action(self._controls)
+        self.actions[id_]()
 
     def _answer(self, text: Message) -> None:
         self._controls.notice = text

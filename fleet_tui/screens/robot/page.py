@@ -13,7 +13,7 @@ from fleet_tui.audit.log import Audit
 from fleet_tui.audit.past_alarms import past_alarms
 from fleet_tui.audit.reader import AuditReader
 from fleet_tui.backend import Backend
-from fleet_tui.keys import ROWS, Pane, by_id
+from fleet_tui.keys import Pane
 from fleet_tui.model.audit_record import PastAlarm
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.rules.battery.forecast import forecast
@@ -29,9 +29,9 @@ from fleet_tui.view.roles import StyleRole
 from fleet_tui.widgets.bindings import bindings
 from fleet_tui.widgets.line_view import LineView
 from fleet_tui.widgets.pace import Pace
+from fleet_tui.widgets.rows_pane import row_actions
 from fleet_tui.widgets.text_view import TextView
 
-SCROLLING = by_id(ROWS)
 READ_EVERY = 5.0
 """Seconds after which the audit log is read again."""
 
@@ -111,24 +111,6 @@ class PageSource:
         self._can_draw = True
 
 
-class PageScrolling:
-    """The actions of the keys of tables, on the text of the page; `menu` opens that of the robot."""
-
-    def __init__(self, text: TextView, menu: Callable[[], None]) -> None:
-        self._text = text
-        self._menu = menu
-
-    def move(self, step: int) -> None:
-        """Scroll up or down."""
-        self._text.scroll_lines(step)
-
-    def slide(self, step: int) -> None:
-        """Do nothing: lines have the width of the screen."""
-
-    def open_menu(self) -> None:
-        self._menu()
-
-
 # Textual's queries follow the first base alone.
 class RobotPage(ReturningOverlay, RobotOverlay, can_focus=True):
     """Collects battery levels all the time, and shows them with the rest while it is open."""
@@ -156,7 +138,7 @@ class RobotPage(ReturningOverlay, RobotOverlay, can_focus=True):
         self._second = 0
         self._title = LineView(id="robot-page-title", keep_right=True)
         self._text = TextView(id="robot-page-text", moved=self._show_title)
-        self._scrolling = PageScrolling(self._text, lambda: menu(source.looked_at()[1]))
+        self._menu = menu
 
     def compose(self) -> ComposeResult:
         """Compose a title above the text."""
@@ -221,4 +203,14 @@ class RobotPage(ReturningOverlay, RobotOverlay, can_focus=True):
 
     def action_key(self, id_: str) -> None:
         """Run the action of a key of tables."""
-        SCROLLING[id_].action(self._scrolling)
+        row_actions(self)[id_]()
+
+    def move(self, step: int) -> None:
+        """Scroll up or down."""
+        self._text.scroll_lines(step)
+
+    def slide(self, step: int) -> None:
+        """Do nothing: lines have the width of the screen."""
+
+    def open_menu(self) -> None:
+        self._menu(self._source.looked_at()[1])

@@ -11,7 +11,6 @@ from textual.containers import Horizontal
 from textual.widget import Widget
 from textual.widgets import Input, Label, Static
 
-from fleet_tui.actions import TableActions
 from fleet_tui.controllers.console import Console
 from fleet_tui.controllers.tables.marked import MarkedCommands
 from fleet_tui.model.commands import Command, CommandRecord
@@ -51,7 +50,13 @@ class TableTools:
         self.filter_line = FilterLine(rows.show)
         self.outcomes = Outcomes(lambda: console.store.state)
         self.marked = MarkedCommands(console, self.robots, self.outcomes.show, self._unmark)
-        self.actions = TableActions(self._filter, self._sort, self._group, self._mark, self._copy)
+        self.actions = {
+            "filter_rows": self._filter,
+            "sort_rows": self._sort,
+            "group_rows": self._group,
+            "mark_row": self._mark,
+            "copy_row": self._copy,
+        }
 
     @property
     def widgets(self) -> tuple[Widget, ...]:

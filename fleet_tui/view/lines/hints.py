@@ -1,7 +1,6 @@
 """The footer: the keys available at the current focus, by importance."""
 
 from collections.abc import Callable, Collection, Hashable, Mapping
-from typing import Any
 
 from msgspec.structs import replace
 
@@ -37,7 +36,7 @@ def hidden_keys(state: FleetState, selected: str) -> set[str]:
     }
 
 
-def unoffered_keys(offers: Callable[[Key[Any]], bool], right: Right) -> set[str]:
+def unoffered_keys(offers: Callable[[Key], bool], right: Right) -> set[str]:
     """Return the ids of keys that have no use in this session, or whose effect the user has no right to."""
     return {
         key.id
@@ -83,7 +82,7 @@ def hints(
     focused: str = "",
     alarmed: str = "",
     about_robot: bool = False,
-) -> tuple[list[Key[Any]], list[Key[Any]]]:
+) -> tuple[list[Key], list[Key]]:
     """Return the keys to hint at the left, the pane's own first, and the permanent ones at the right. In an
     overlay only global keys reach the console. `hidden`: ids of keys without a use here; `focused` is the id
     of the widget, which may have a key for its rows; `alarmed` is who has the marked alarm; `about_robot`:
@@ -107,19 +106,19 @@ def hints(
     return left, [key for key in offered if key.always]
 
 
-def _of_robot(key: Key[Any], alarmed: str) -> Key[Any]:
+def _of_robot(key: Key, alarmed: str) -> Key:
     """Return a key that names who has the marked alarm, if that is another robot."""
     if key.id != "acknowledge" or not alarmed:
         return key
     return replace(key, hint=Message("{hint} {robot}", hint=key.hint, robot=sanitize(alarmed)))
 
 
-def _alarm_first(offered: list[Key[Any]]) -> list[Key[Any]]:
+def _alarm_first(offered: list[Key]) -> list[Key]:
     """Return the keys with that of an alarm before the one to resume all: the first line has the pauses."""
     return _moved(offered, "resume_all", "acknowledge")
 
 
-def _moved(offered: list[Key[Any]], moved: str, behind: str) -> list[Key[Any]]:
+def _moved(offered: list[Key], moved: str, behind: str) -> list[Key]:
     """Return the keys, one of them right behind another if both are offered."""
     ids = [key.id for key in offered]
     if not {moved, behind} <= set(ids):
@@ -129,7 +128,7 @@ def _moved(offered: list[Key[Any]], moved: str, behind: str) -> list[Key[Any]]:
     return offered
 
 
-def _rank(key: Key[Any], pane: Pane) -> tuple[bool, ...]:
+def _rank(key: Key, pane: Pane) -> tuple[bool, ...]:
     """Return the sort key of a hint: the pane's own keys first; at a table those of tables after the commands
     that every dispatcher needs."""
     if pane is Pane.ROWS:
@@ -137,7 +136,7 @@ def _rank(key: Key[Any], pane: Pane) -> tuple[bool, ...]:
     return (key.pane is not pane,)
 
 
-def _of_overlay(offered: Collection[Key[Any]], about_robot: bool) -> list[Key[Any]]:
+def _of_overlay(offered: Collection[Key], about_robot: bool) -> list[Key]:
     """Return the keys that work in an overlay."""
     close = replace(BY_ID["back"], hint=Message("close"))
     helping = [key for key in offered if key.helps and about_robot]
@@ -146,7 +145,7 @@ def _of_overlay(offered: Collection[Key[Any]], about_robot: bool) -> list[Key[An
 
 
 def footer(
-    left: Collection[Key[Any]], right: Collection[Key[Any]], keys: Mapping[str, tuple[str, ...]], width: int
+    left: Collection[Key], right: Collection[Key], keys: Mapping[str, tuple[str, ...]], width: int
 ) -> tuple[list[Run], list[Button]]:
     """Return the hints that fit whole into `width` cells, and their cells, each button with the id of its
     key. The permanent ones are placed first, then the others up to the first that does not fit."""
@@ -172,7 +171,7 @@ def footer(
     return runs, buttons
 
 
-Hint = tuple[Key[Any], list[Run], int]
+Hint = tuple[Key, list[Run], int]
 """A key with its runs and their cells."""
 
 
@@ -180,7 +179,7 @@ def _cells(hints: Collection[Hint]) -> int:
     return sum(size for _, _, size in hints)
 
 
-def _whole(offered: Collection[Key[Any]], keys: Mapping[str, tuple[str, ...]], width: int) -> list[Hint]:
+def _whole(offered: Collection[Key], keys: Mapping[str, tuple[str, ...]], width: int) -> list[Hint]:
     """Return the first keys that fit into `width` cells, each with its runs and their width."""
     kept = []
     for key in offered:

@@ -122,5 +122,5 @@ async def test_before_there_is_a_link_it_says_that_the_console_starts(server: Ro
     async with console(config_of(server.url, 2)) as it:
         assert isinstance(it.app.backend, LiveBackend)
         it.app.backend.links = None  # as before they were opened
-        it.app.main.features.actions.view.diagnostics()
+        it.app.main.features.actions["diagnostics"]()
         await it.shows("console starting")
