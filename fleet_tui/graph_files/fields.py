@@ -1,5 +1,6 @@
 """Reads the values of graph files: each error names the place in the file."""
 
+import re
 from collections.abc import Callable
 from typing import Any, TypeVar
 
@@ -12,6 +13,7 @@ from fleet_tui.text.limits import LONGEST_NAME, MOST_EDGES, MOST_VERTICES, trunc
 LONGEST_TEXT = 5 * LONGEST_NAME
 """Maximum characters of an id or a name; longer ones are no names."""
 MOST_FLOORS = 500
+_NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?\d+)?")
 Found = TypeVar("Found")
 Table = dict[str, Any]
 
@@ -70,7 +72,10 @@ def edge_elements(value: Any, where: str) -> list[Any]:
 
 
 def text(value: Any, where: str) -> str:
-    """Return a name as it is written. Raises GraphError."""
+    """Return a name as it is written; a number is one, too, and tables write the whole ones as `1.0`. Raises
+    GraphError."""
+    if isinstance(value, float) and value.is_integer():
+        value = int(value)
     if isinstance(value, int) and not isinstance(value, bool):
         value = str(value)
     if not isinstance(value, str):
@@ -95,9 +100,16 @@ def identifier(value: Any, where: str) -> str:
     return id_
 
 
+def is_number(value: str) -> bool:
+    """Tell whether a text is a number as JSON and YAML have it."""
+    return _NUMBER.fullmatch(value.strip()) is not None
+
+
 def number(value: Any, where: str) -> float:
-    """Return a number, finite or not. Raises GraphError."""
+    """Return a number, finite or not, which some programs write as text. Raises GraphError."""
     found = settled(value)
+    if isinstance(found, str) and is_number(found):
+        found = float(found)
     if isinstance(found, bool) or not isinstance(found, int | float):
         raise _is_no(value, "a number", where)
     try:
@@ -142,9 +154,11 @@ def place(value: Any, where: str) -> Site:
 
 
 def optional(table: Table, key: str, read: Callable[[Any, str], Found], where: str) -> Found | None:
-    """Take a value out of a table; None for a missing one."""
+    """Take a value out of a table; None for a missing one, and for a blank text where a number belongs."""
     value = table.pop(key, None)
-    return None if settled(value) is None else read(value, f"{where} {key}")
+    found = settled(value)
+    is_blank = read is number and isinstance(found, str) and not found.strip()
+    return None if found is None or is_blank else read(value, f"{where} {key}")
 
 
 def required(table: Table, key: str, read: Callable[[Any, str], Found], where: str) -> Found:

@@ -28,6 +28,9 @@ OWN = GraphFormat.GEOJSON.value
 LINES = ("LineString", "MultiLineString")
 FRAME = "map"
 _CRS = {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::3857"}}
+SMALLEST_SITE = 1.0
+SMALLEST_FLOOR = 0.05
+"""Metres; if a file says that it has degrees, and if not."""
 _NEAR = 1e-6  # metres between an edge's coordinates and its vertices
 _MOTIONS = {motion.value: motion for motion in Motion}
 
@@ -43,9 +46,18 @@ def read(tree: Any, choices: ReadChoices) -> GraphFile:
     points, lines, others = list[Table](), list[Table](), 0
     for n, part in enumerate(parts):
         feature = dict(fields.mapping(part, f"features[{n}]"))
-        geometry = fields.mapping(feature.get("geometry"), f"features[{n}] geometry")
-        type_ = geometry.get("type")
-        feature["properties"] = dict(fields.mapping(feature.get("properties"), f"features[{n}] properties"))
+        properties = dict(fields.mapping(feature.get("properties"), f"features[{n}] properties"))
+        if str(feature.get("feature_type")).startswith("rmf_"):
+            raise GraphError(
+                Message("a building of Open-RMF in degrees: export its navigation graph, in metres")
+            )
+        geometry = feature["geometry"] = fields.optional_mapping(
+            feature.get("geometry"), f"features[{n}] geometry"
+        )
+        type_ = geometry.get("type", "LineString" if "startid" in properties else None)
+        if "id" not in properties and "id" in feature:
+            properties["id"] = feature.pop("id")  # as RFC 7946 has it
+        feature["properties"] = properties
         (points if type_ == "Point" else lines if type_ in LINES else []).append(feature)
         others += type_ != "Point" and type_ not in LINES
     if len(points) > MOST_VERTICES:
@@ -59,10 +71,29 @@ def read(tree: Any, choices: ReadChoices) -> GraphFile:
     frames = [point["properties"].get("frame") for point in points]
     frame = next((one for one in frames if isinstance(one, str) and one), "")
     vertices = {vertex.id: vertex for vertex in _vertices(points, frame)}
+    _require_metres(table.get("crs"), vertices)
     edges = merge_opposites(_edges(lines, vertices))
     floor = DocumentFloor(choices.floor, vertices, edges, frame)
     document = GraphDocument(name, {floor.name: floor}, extra=fields.rest(OWN, table))
     return GraphFile(GraphFormat.GEOJSON, document, (), {"other features": others} if others else {})
+
+
+def _require_metres(crs: Any, vertices: dict[str, DocumentVertex]) -> None:
+    """Raise GraphError for coordinates that are degrees: the file says so, or all of it would be within some
+    centimetres, far from the origin."""
+    places = [(vertex.x, vertex.y) for vertex in vertices.values()]
+    if len(places) < 2:
+        return
+    size = max(max(axis) - min(axis) for axis in zip(*places, strict=True))
+    says_so = any(name in str(crs) for name in ("CRS84", "EPSG::4326", "EPSG:4326"))
+    is_far = any(abs(part) > 1.0 for place in places for part in place)
+    if 0 < size < (SMALLEST_SITE if says_so else SMALLEST_FLOOR) and is_far:
+        raise GraphError(
+            Message(
+                "coordinates of degrees, not metres: all within {size}: save them in metres of the map",
+                size=f"{size:.2g}",
+            )
+        )
 
 
 def _ids(features: list[Table], kind: str, others: Iterable[str] = ()) -> list[tuple[str, tuple[str, ...]]]:
@@ -74,6 +105,8 @@ def _ids(features: list[Table], kind: str, others: Iterable[str] = ()) -> list[t
 
 
 def _id(value: Any, where: str) -> str:
+    if isinstance(value, float) and value.is_integer():
+        value = int(value)  # QGIS writes 1.0
     if isinstance(value, bool) or not isinstance(value, int) or value < 0:
         raise GraphError(
             Message(

@@ -35,12 +35,15 @@ FARTHEST = 2000.0
 """Metres; a layout that extends farther has probably another unit."""
 LENGTHS = {"m": 1.0, "mm": 0.001}
 ANGLES = {"rad": 1.0, "deg": math.pi / 180}
+_NUMBERS = frozenset(
+    {"x", "y", "theta", "stationHeight", "maxSpeed", "maxRotationSpeed", "vehicleOrientation", "orientation"}
+)
 _PLACES = ("nodePosition", "stationPosition", "controlPoints")
 
 
 def read(tree: Any, choices: ReadChoices) -> GraphFile:
     """Return the document of a file. Raises GraphError."""
-    tree, notes = in_si_units(fields.mapping(tree, "file"), choices)
+    tree, notes = in_si_units(_as_version_1(fields.mapping(tree, "file")), choices)
     table = dict(tree)
     meta = fields.optional_mapping(table.get("metaInformation"), "metaInformation")
     layouts = fields.elements(table.pop("layouts", None), "layouts", fields.MOST_FLOORS)
@@ -66,6 +69,41 @@ def read(tree: Any, choices: ReadChoices) -> GraphFile:
     name = str(meta.get("projectIdentification") or "")
     document = GraphDocument(name, floors, (), tuple(stations), extra=fields.rest(OWN, table))
     return GraphFile(GraphFormat.LIF, document, notes)
+
+
+def is_version_2(tree: Table) -> bool:
+    """Tell whether the layouts of a file are those of origins, as LIF 2.0 has them."""
+    origins = tree.get("origins")
+    return isinstance(origins, list) and any(isinstance(one, dict) and "layouts" in one for one in origins)
+
+
+def _as_version_1(tree: Table) -> Table:
+    """Return the contents of a file of LIF 2.0 as 1.0 has them: vehicles by their former name, and layouts
+    without their origins. Texts that are numbers become numbers in both."""
+    tree = _renamed(tree, 0)
+    if not is_version_2(tree):
+        return tree
+    origins = [fields.mapping(one, "origins") for one in tree.pop("origins")]
+    return {**tree, "layouts": [layout for one in origins for layout in _list(one.get("layouts"))]}
+
+
+def _renamed(value: Any, depth: int) -> Any:
+    if depth > 100:
+        raise GraphError(Message("nested too deep"))
+    if isinstance(value, list):
+        return [_renamed(one, depth + 1) for one in value]
+    if not isinstance(value, dict):
+        return value
+    return {
+        key.replace("mobileRobotType", "vehicleType"): _read_number(one)
+        if key in _NUMBERS
+        else _renamed(one, depth + 1)
+        for key, one in value.items()
+    }
+
+
+def _read_number(value: Any) -> Any:
+    return fields.number(value, "") if isinstance(value, str) and fields.is_number(value) else value
 
 
 def vehicle_types(floor: DocumentFloor) -> set[str]:

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from typing import Any
 
 from fleet_tui.errors import GraphError, did_you_mean
-from fleet_tui.graph_files import geojson, lif, native, oh, rmf, rmf_building
+from fleet_tui.graph_files import geojson, lif, native, oh, rmf, rmf_building, rmf_site
 from fleet_tui.graph_files.graph_file import GraphFile, ReadChoices
 from fleet_tui.graph_files.json_text import parse_json
 from fleet_tui.graph_files.yaml_text import parse_yaml, settled
@@ -13,10 +13,10 @@ from fleet_tui.text.language import Message
 
 LARGEST = 40_000_000
 """Maximum bytes of a graph file: some 500 for each of the maximum vertices and edges."""
-KNOWN = "known formats: native, oh, rmf, rmf-building, geojson, lif, opentcs"
+KNOWN = "known formats: native, oh, rmf, rmf-building, rmf-site, geojson, lif, opentcs"
 _ALIKE = {GraphFormat.RMF, GraphFormat.RMF_BUILDING}
 """Two formats that a small file does not tell apart."""
-_JSON = (GraphFormat.GEOJSON, GraphFormat.LIF)
+_JSON = (GraphFormat.GEOJSON, GraphFormat.LIF, GraphFormat.RMF_SITE)
 Read = Callable[[Any, ReadChoices], GraphFile]
 
 
@@ -68,8 +68,10 @@ def _format_of(tree: Any) -> GraphFormat | None:
         return GraphFormat.NATIVE
     if tree.get("type") == "FeatureCollection":
         return GraphFormat.GEOJSON
-    if isinstance(tree.get("layouts"), list):
+    if isinstance(tree.get("layouts"), list) or lif.is_version_2(tree):
         return GraphFormat.LIF
+    if rmf_site.is_site(tree):
+        return GraphFormat.RMF_SITE
     if isinstance(tree.get("levels"), dict):
         return GraphFormat.RMF_BUILDING if _is_building(tree) else GraphFormat.RMF
     is_graph = isinstance(tree.get("graph"), dict) and bool(tree["graph"].keys() & {"vertices", "edges"})
@@ -99,6 +101,7 @@ def _reader(format_: GraphFormat) -> Read:
         GraphFormat.OH: oh.read,
         GraphFormat.RMF: rmf.read,
         GraphFormat.RMF_BUILDING: rmf_building.read,
+        GraphFormat.RMF_SITE: rmf_site.read,
         GraphFormat.GEOJSON: geojson.read,
         GraphFormat.LIF: lif.read,
     }

@@ -38,6 +38,8 @@ TYPES = {
     Purpose.HOLDING: "holding_point",
     Purpose.PASSTHROUGH: "passthrough_point",
 }
+UNNAMED = "<Unnamed>"
+"""What rmf_site writes for the name of a place without one."""
 _MOTIONS = {"forward": Motion.FORWARD, "backward": Motion.BACKWARD}
 
 
@@ -80,6 +82,7 @@ def _vertex(n: int, part: Any, where: str) -> tuple[DocumentVertex, str]:
     first, second, options = _parts(part, where)
     x, y = fields.number(first, where), fields.number(second, where)
     label = fields.optional(options, "name", fields.text, where) or ""
+    label = "" if label == UNNAMED else label
     lift = fields.optional(options, "lift", fields.text, where) or ""
     type_ = "lift" if lift else flagged(settled(options))
     return DocumentVertex(str(n), x, y, label, type_, extra=fields.rest(OWN, options)), lift

@@ -28,6 +28,8 @@ FASTEST = 1e6
 """Metres per second; a larger limit is none."""
 OTHERS = ("walls", "doors", "models", "floors", "measurements", "layers", "features", "holes")
 _IMAGE = "reference_image"
+_ON_EARTH = ("wgs84", "web_mercator")
+"""Systems of degrees, and of metres that are longer the farther from the equator."""
 _MOTIONS = {"forward": Motion.FORWARD, "backward": Motion.BACKWARD}
 Levels = dict[str, Table]
 
@@ -69,9 +71,13 @@ def _count(value: Any) -> int:
 
 
 def _params(value: Any, where: str) -> Table:
-    """Return parameters, each written as its type's number and the value, without the types."""
+    """Return parameters, each written as its type's number and the value, or as the value alone, without the
+    types."""
     found = {}
     for key, one in fields.optional_mapping(value, where).items():
+        if not isinstance(one, list):
+            found[key] = settled(one)
+            continue
         parts = fields.elements(one, f"{where} {key[:40]}", 2)
         if len(parts) != 2:
             raise GraphError(Message("{where} {key}: must be [type, value]", where=where, key=key[:40]))
@@ -154,6 +160,12 @@ def _placings(table: Table, levels: Levels) -> dict[str, Placing]:
     """Return the placing of each level: the reference level by its measurements, the others by the fiducials
     that they share with it, or by their own measurements."""
     system = table.get("coordinate_system", _IMAGE)
+    if system in _ON_EARTH:
+        raise GraphError(
+            Message(
+                "coordinate_system {system}: no metres of a floor: export the navigation graph", system=system
+            )
+        )
     if system != _IMAGE:
         return {name: Placing(flipped=False) for name in levels}
     reference = table.get("reference_level_name", next(iter(levels), ""))
@@ -212,8 +224,9 @@ def _vertex(n: int, part: Any, placing: Placing, where: str) -> tuple[DocumentVe
     """Return a vertex and the lift whose cabin it is in."""
     parts = fields.elements(part, where, 5)
     x, y = placing.metres(*_place(parts, where))
-    label = fields.text(parts[3], where) if len(parts) > 3 else ""
-    params = _params(parts[4], where) if len(parts) > 4 else {}
+    height_and_label = [part for part in parts[2:] if not isinstance(part, dict)]
+    label = fields.text(height_and_label[-1], where) if len(parts) > 3 else ""
+    params = _params(parts[-1], where) if isinstance(parts[-1], dict) else {}
     lift = str(params.get("lift_cabin") or "")
     kind = "lift" if lift else flagged(params)
     kind = kind or ("dock" if params.get("dock_name") else "")

@@ -20,6 +20,7 @@ WRITERS: dict[GraphFormat, Write] = {
 }
 ENDINGS: dict[str, GraphFormat] = {
     ".building.yaml": GraphFormat.RMF_BUILDING,
+    ".site.json": GraphFormat.RMF_SITE,
     ".geojson": GraphFormat.GEOJSON,
     ".lif.json": GraphFormat.LIF,
     ".lif": GraphFormat.LIF,

@@ -9,13 +9,14 @@ from fleet_tui.graph_files.yaml_text import PlainText
 
 def test_numbers_names_and_flags() -> None:
     assert (fields.number(PlainText("1e3"), "x"), fields.number(2, "x")) == (1000.0, 2.0)
+    assert (fields.number(" -1.5e-3 ", "x"), fields.text(1.0, "x")) == (-0.0015, "1")
     assert (fields.text(PlainText("yes"), "x"), fields.text(7, "x")) == ("yes", "7")
     assert fields.flag(PlainText("true"), "x") and not fields.flag(False, "x")
     assert fields.elements(None, "x", 1) == [] and fields.optional_mapping("", "x") == {}
     assert fields.place([1, 2.0, PlainText("3")], "x") == (1.0, 2.0, 3.0)
 
 
-@pytest.mark.parametrize("value", [True, "1", PlainText("a"), None, [1], 10**400])
+@pytest.mark.parametrize("value", [True, "1 m", "", PlainText("a"), None, [1], 10**400])
 def test_what_is_no_number(value: object) -> None:
     with pytest.raises(GraphError, match=r"^here: "):
         fields.number(value, "here")

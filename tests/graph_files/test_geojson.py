@@ -56,7 +56,15 @@ def by_id(text: str) -> dict[int, Feature]:
     return {one["properties"]["id"]: one for one in json.loads(text)["features"]}
 
 
-@given(st.lists(st.tuples(NUMBERS, NUMBERS, TABLES, TABLES), min_size=2, max_size=4), TABLES, TABLES)
+PLACES = st.lists(st.tuples(NUMBERS, NUMBERS, TABLES, TABLES), min_size=2, max_size=4)
+
+
+def is_a_floor(places: list[Any]) -> bool:
+    """One of some centimetres would be one of degrees."""
+    return any(max(axis) - min(axis) > 1.0 for axis in list(zip(*places, strict=True))[:2])
+
+
+@given(PLACES.filter(is_a_floor), TABLES, TABLES)
 def test_nothing_of_a_file_is_lost(places: list[Any], of_edge: Feature, of_file: Feature) -> None:
     nodes = [node(n, x, y, **more, metadata=data) for n, (x, y, more, data) in enumerate(places)]
     ends = [list(map(float, places[n][:2])) for n in (0, 1)]
@@ -144,7 +152,7 @@ def test_whatever_is_written_keeps_the_rules(document: Any) -> None:
     [
         (7, "features\\[1\\]: 7 instead of a mapping"),
         ({"geometry": {"type": "Point"}}, "features\\[1\\] properties: nothing instead of a mapping"),
-        ({"properties": {}}, "features\\[1\\] geometry: nothing instead"),
+        ({"properties": {}, "geometry": 7}, "features\\[1\\] geometry: 7 instead"),
         (node(-1, 0, 0), "vertex 1 of the file id: -1 instead of a whole number from 0 on"),
         (node(True, 0, 0), "id: True instead of a whole number"),
         (node(8, "a", 0), "vertex 8 coordinates: 'a' instead of a number"),
@@ -177,3 +185,27 @@ def test_the_sample_of_nav2() -> None:
             assert after[id_] == feature
         else:
             assert after[id_]["properties"] == feature["properties"]
+
+
+def test_ids_may_be_of_the_feature_or_written_with_a_point_and_an_edge_may_have_no_line() -> None:
+    one, other = node(1, 0, 0), node(2, 5, 0)
+    one["id"] = one["properties"].pop("id")
+    other["properties"]["id"] = 2.0
+    edge = {"type": "Feature", "properties": {"id": 3, "startid": 1, "endid": 2}, "geometry": None}
+    floor = read_text(collection(one, other, edge)).document.floors["floor"]
+    assert [*floor.vertices] == ["1", "2"] and [*floor.edges] == ["3"]
+
+
+@pytest.mark.parametrize(
+    ("more", "size"), [({}, 1e-3), ({"crs": {"properties": {"name": "urn:ogc:def:crs:OGC:1.3:CRS84"}}}, 0.5)]
+)
+def test_degrees_are_refused_not_read_as_metres(more: Feature, size: float) -> None:
+    with pytest.raises(GraphError, match="coordinates of degrees, not metres"):
+        read_text(collection(node(1, 13.4, 52.52), node(2, 13.4 + size, 52.52), **more))
+    assert read_text(collection(node(1, 13.4, 52.52), node(2, 18.4, 52.52), **more))
+
+
+def test_a_building_in_degrees_is_named() -> None:
+    feature = {"feature_type": "rmf_vertex", **node(1, 13.4, 52.5)}
+    with pytest.raises(GraphError, match="a building of Open-RMF in degrees"):
+        read_text(collection(feature))

@@ -17,7 +17,7 @@ def lif(*nodes: Any, edges: Any = (), stations: Any = (), **more: Any) -> str:
     return json.dumps({"metaInformation": {"projectIdentification": "p"}, "layouts": [layout], **more})
 
 
-def node(id_: str, x: float, y: float, *types: Any, **more: Any) -> Any:
+def node(id_: str, x: float | str, y: float | str, *types: Any, **more: Any) -> Any:
     return {"nodeId": id_, "nodePosition": {"x": x, "y": y}, "vehicleTypeNodeProperties": types, **more}
 
 
@@ -112,3 +112,27 @@ def test_nothing_of_the_sample_is_lost() -> None:
     for vehicle in ("", "vehicle-001"):
         document = read_text(text, vehicle_type=vehicle).document
         assert json.loads(write_text(document, F)) == json.loads(text)
+
+
+def test_numbers_may_be_written_as_text_and_a_blank_is_none() -> None:
+    station = {"stationId": "s", "stationName": "S", "interactionNodeIds": ["n1"], "stationHeight": " "}
+    text = lif(
+        node("n1", "0.5", "2000000"),
+        node("n2", 1, 0, {"vehicleTypeId": "a", "theta": "1.57"}),
+        stations=[station],
+    )
+    found = read_text(text, lengths="mm")
+    floor = found.document.floors["L"]
+    assert (floor.vertices["n1"].x, floor.vertices["n1"].y) == (0.0005, 2000.0)
+    assert floor.vertices["n2"].heading == 1.57 and found.document.stations[0].height is None
+
+
+def test_layouts_of_version_2_are_read_by_the_words_of_version_1() -> None:
+    one = {"nodeId": "n", "nodePosition": {"x": 1, "y": 2}}
+    typed = {**one, "mobileRobotTypeNodeProperties": [{"mobileRobotTypeId": "agv", "theta": 1.0}]}
+    layout = {"layoutId": "L", "nodes": [typed], "edges": [], "stations": []}
+    found = read_text(
+        json.dumps({"metaInformation": {}, "origins": [{"originId": "o", "layouts": [layout]}]})
+    )
+    assert found.format is F
+    assert found.document.floors["L"].vertices["n"].heading == 1.0

@@ -23,6 +23,14 @@ FILES[GraphFormat.RMF_BUILDING] = (
     "coordinate_system: reference_image\nlevels:\n  L:\n"
     "    vertices: [[0, 0, 0, a], [1, 1, 0, b]]\n    lanes: [[0, 1, {bidirectional: [4, true]}]]\n"
 )
+ANCHORS = {"8": {"Translate2D": [1, 2]}, "9": {"Translate2D": [5, 2]}}
+FILES[GraphFormat.RMF_SITE] = json.dumps(
+    {
+        "format_version": "0.1",
+        "levels": {"1": {"properties": {"name": "L"}, "anchors": ANCHORS}},
+        "navigation": {"guided": {"lanes": {"30": {"anchors": [8, 9]}}}},
+    }
+)
 SAMPLES = {
     "office_nav.yaml": GraphFormat.RMF,
     "office.building.yaml": GraphFormat.RMF_BUILDING,
@@ -51,7 +59,7 @@ def test_files_of_real_projects(name: str) -> None:
 @pytest.mark.parametrize(
     ("text", "problem"),
     [
-        ("", "empty; known formats: native, oh, rmf, rmf-building, geojson, lif, opentcs"),
+        ("", "empty; known formats: native, oh, rmf, rmf-building, rmf-site, geojson, lif, opentcs"),
         (" \n", "empty"),
         ("hello", "no known format; known formats: native"),
         ("[1]", "no known format"),

@@ -102,3 +102,19 @@ def test_the_office() -> None:
     assert (len(floor.vertices), len(floor.edges)) == (29, 30)
     assert "tinyRobot1_charger" in floor.labels.values()
     assert all(one.y < 0 and math.isfinite(one.x) for one in floor.vertices.values())
+
+
+@pytest.mark.parametrize("system", ["wgs84", "web_mercator"])
+def test_places_on_earth_are_no_metres_of_a_floor(system: str) -> None:
+    with pytest.raises(GraphError, match=f"coordinate_system {system}: no metres of a floor"):
+        read_text(f"coordinate_system: {system}\nlevels:\n  L:\n    vertices: [[13.4, 52.5, 0, a]]\n")
+
+
+def test_parameters_may_have_no_types() -> None:
+    text = "coordinate_system: cartesian_meters\nlevels:\n  L:\n"
+    text += (
+        "    vertices: [[0, 0, a, {is_charger: true}], [1, 0, b]]\n    lanes: [[0, 1, {speed_limit: 0.5}]]\n"
+    )
+    floor = read_text(text).document.floors["L"]
+    charger = floor.vertices["0"]
+    assert (charger.label, charger.type, floor.edges["0"].speed) == ("a", "charger", 0.5)

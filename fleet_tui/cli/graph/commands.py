@@ -13,7 +13,7 @@ from fleet_tui.errors import GraphError, MapError
 from fleet_tui.text.limits import truncate
 from fleet_tui.text.sanitize import sanitize
 
-FORMATS = ("native", "oh", "rmf", "rmf-building", "geojson", "lif", "opentcs")
+FORMATS = ("native", "oh", "rmf", "rmf-building", "rmf-site", "geojson", "lif", "opentcs")
 WRITABLE = ("native", "oh", "rmf", "geojson", "lif")
 REFUSED = 2
 

@@ -44,8 +44,8 @@ def _changes(old: GraphDocument, new: GraphDocument) -> list[tuple[str, GraphCha
     return found
 
 
-UNNUMBERED = (GraphFormat.RMF_BUILDING,)
-"""Formats whose rules are those of another: the graph made from a building is an RMF graph."""
+UNNUMBERED = (GraphFormat.RMF_BUILDING, GraphFormat.RMF_SITE)
+"""Formats whose rules are those of another: the graph made from a building or a site is an RMF graph."""
 
 
 def lint(

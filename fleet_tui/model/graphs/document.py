@@ -32,6 +32,7 @@ class GraphFormat(Enum):
     OH = "oh"
     RMF = "rmf"
     RMF_BUILDING = "rmf-building"
+    RMF_SITE = "rmf-site"
     GEOJSON = "geojson"
     LIF = "lif"
     OPENTCS = "opentcs"

@@ -15,8 +15,10 @@ UINT16 = 65535
 
 
 def of_target(document: GraphDocument, inputs: LintInputs) -> Iterator[GraphFinding]:
-    """Return what the target refuses or can't report."""
-    if inputs.target is GraphFormat.RMF:
+    """Return what the target refuses or can't report; an empty graph is one of which nothing was read."""
+    if not any(floor.vertices for floor in document.floors.values()):
+        yield GraphFinding("empty", Message("no vertex: nothing to drive on was read"), True)
+    elif inputs.target is GraphFormat.RMF:
         yield from _labels_of_site(document)
         yield from _lifts(document)
     elif inputs.target is GraphFormat.GEOJSON:
@@ -73,11 +75,9 @@ def _stops(document: GraphDocument, lift: Lift) -> Iterator[tuple[str, str, tupl
 
 
 def _nav2(floor: DocumentFloor) -> Iterator[GraphFinding]:
-    if not floor.vertices or not floor.edges:
-        what = Message("edge") if floor.vertices else Message("vertex")
-        yield GraphFinding(
-            "empty", Message("no {what}: Nav2 does not load such a graph", what=what), True, floor.name
-        )
+    if not floor.edges:
+        text = Message("no edge: Nav2 does not load such a graph")
+        yield GraphFinding("empty", text, True, floor.name)
     for kind, ids in (("vertex", floor.vertices), ("edge", floor.edges)):
         for id_ in ids:
             if id_.isascii() and id_.isdecimal() and (len(id_) > 9 or int(id_) > UINT16):

@@ -41,7 +41,7 @@ def test_rmf() -> None:
 
 def test_nav2() -> None:
     assert texts(of_floor(DocumentFloor("f")), GraphFormat.GEOJSON) == [
-        "no vertex: Nav2 does not load such a graph"
+        "no vertex: nothing to drive on was read"
     ]
     one = floor("f", DocumentVertex("65536", 0.0, 0.0))
     assert texts(of_floor(one), GraphFormat.GEOJSON) == [
