@@ -1,5 +1,6 @@
 """Map images from files: map_server's YAML, or a plain image that map_metadata places in the world."""
 
+import re
 import warnings
 from dataclasses import dataclass
 from functools import lru_cache
@@ -23,7 +24,7 @@ from fleet_tui.text.language import Message
 
 MODES = ("trinary", "scale", "raw")
 # Not all formats of Pillow: TIFF's library writes on stderr, EPS starts a program.
-FORMATS = ("PPM", "PNG", "BMP", "JPEG", "GIF")
+FORMATS = ("PPM", "PNG", "BMP", "JPEG", "GIF", "WEBP")
 MAX_YAML = 2**16  # bytes
 _BAND = 256  # rows converted to classes at a time: a large image in colour is not copied whole
 
@@ -53,35 +54,62 @@ def load_floor_map(floor: str, path: Path, added: bool) -> FloorMapLoaded:
         return FloorMapLoaded(floor, None, Message("map {name}: {problem}", name=path.name, problem=problem))
 
 
-def _number(table: dict[str, Any], key: str, default: float | None = None) -> float:
-    value = table.get(key, default)
-    if isinstance(value, bool) or not isinstance(value, int | float) or not abs(value) <= 1e300:
-        raise MapError(
-            Message("{key} must be a number", key=key)
-            if key in table
-            else Message("{key} is missing", key=key)
-        )
+_NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?\d+)?")
+"""As yaml-cpp has them, which map_server reads with: no `0x`, no `1_000`, no `1:30`, and `1e-16` is one."""
+_FLAGS = {
+    **dict.fromkeys(("1", "true", "yes", "on", "y"), True),
+    **dict.fromkeys(("0", "false", "no", "off", "n"), False),
+}
+
+
+def _number(value: Any, where: str) -> float:
+    if value is None:
+        raise MapError(Message("{key} is missing", key=where))
+    if not isinstance(value, str) or not _NUMBER.fullmatch(value.strip()) or not abs(float(value)) <= 1e300:
+        shown = f"{value[:40]!r}" if isinstance(value, str) else Message("a list or a mapping")
+        raise MapError(Message("{where}: {shown} instead of a number", where=where, shown=shown))
     return float(value)
+
+
+def _origin(value: Any) -> Pose:
+    if isinstance(value, str) and value.startswith("["):
+        value = value.strip("[] ").split(",")  # in quotes as a whole
+    if not isinstance(value, list) or len(value) != 3:
+        shown = str(value)[:60] if value is not None else Message("nothing")
+        raise MapError(Message("origin: {shown} instead of [x, y, yaw]", shown=shown))
+    return Pose(*(_number(part, f"origin[{n}]") for n, part in enumerate(value)))
 
 
 def _from_yaml(path: Path, added: bool) -> OccupancyGrid:
     table = _table(path)
-    origin = table.get("origin")
-    if not isinstance(origin, list) or len(origin) not in (2, 3):
-        raise MapError(Message("origin must be [x, y, yaw]"))
-    x, y, yaw = (_number({"origin": part}, "origin") for part in [*origin, 0.0][:3])
-    resolution = _number(table, "resolution")
+    origin = _origin(table.get("origin"))
+    resolution = _number(table.get("resolution"), "resolution")
     # Before the image: an error in the small file should not cost the reading of the large one.
     check_frame(MapFrame(resolution, 1, 1))
-    classes = _classes(path.parent / table["image"], _reading(table))
+    classes = _classes(_image_path(path, table["image"]), _reading(table))
     height, width = classes.shape
-    frame = MapFrame(resolution, width, height, Pose(x, y, yaw), added)
+    frame = MapFrame(resolution, width, height, origin, added)
     check_frame(frame)
     return build_grid(frame, classes)
 
 
-class _WithoutAliases(yaml.SafeLoader):
-    """Rejects YAML aliases: a few lines can expand to more than fits into memory."""
+def _image_path(path: Path, image: str) -> Path:
+    """Return where the image of a YAML file is: beside it, unless its path is a whole one."""
+    image = image.removeprefix("file://")
+    if image.startswith("package://"):
+        raise MapError(
+            Message("image {image}: packages are known to ROS alone: give the path of the file", image=image)
+        )
+    if image.startswith("~/"):
+        return Path.home() / image[2:]
+    # Written on Windows, unless a file is called so.
+    is_there = "\\" not in image or (path.parent / image).is_file()
+    return path.parent / (image if is_there else image.replace("\\", "/"))
+
+
+class _PlainTexts(yaml.BaseLoader):
+    """Leaves each value as it is written, since YAML 1.1 reads numbers that map_server does not. Rejects
+    aliases: a few lines can expand to more than fits into memory."""
 
     def compose_node(self, parent: Any, index: Any) -> Any:
         """Compose anything else."""
@@ -92,7 +120,7 @@ class _WithoutAliases(yaml.SafeLoader):
 
 def _table(path: Path) -> dict[str, Any]:
     try:
-        table = yaml.load(read_text(path, MAX_YAML), _WithoutAliases)
+        table = yaml.load(read_text(path, MAX_YAML), _PlainTexts)
     except FileNotFoundError:
         raise MapError(Message("no such file")) from None
     except UnicodeDecodeError:
@@ -124,15 +152,16 @@ def _reason(problem: OSError) -> Message:
 
 def _reading(table: dict[str, Any]) -> OccupancyThresholds:
     usual = OccupancyThresholds()
-    mode, negate = str(table.get("mode", usual.mode)).lower(), table.get("negate", 0)
+    mode, negate = str(table.get("mode", usual.mode)).lower(), str(table.get("negate", 0)).lower()
     if mode not in MODES:
         raise MapError(
             Message("mode {mode} is not one of {modes}", mode=f"{mode[:20]!r}", modes=", ".join(MODES))
         )
-    if not isinstance(negate, int):
-        raise MapError(Message("negate must be 0 or 1"))
-    occupied = _number(table, "occupied_thresh", usual.occupied_above)
-    return OccupancyThresholds(mode, bool(negate), occupied, _number(table, "free_thresh", usual.free_below))
+    if negate not in _FLAGS:
+        raise MapError(Message("negate: {negate} instead of 0 or 1", negate=f"{negate[:20]!r}"))
+    occupied = _number(table.get("occupied_thresh", str(usual.occupied_above)), "occupied_thresh")
+    free = _number(table.get("free_thresh", str(usual.free_below)), "free_thresh")
+    return OccupancyThresholds(mode, _FLAGS[negate], occupied, free)
 
 
 def _classes(path: Path, reading: OccupancyThresholds) -> Classes:
@@ -141,7 +170,7 @@ def _classes(path: Path, reading: OccupancyThresholds) -> Classes:
         with open_file(path) as file:
             return classes_of(file, path.name, reading)
     except FileNotFoundError:
-        raise MapError(Message("no image {name}", name=path.name)) from None
+        raise MapError(Message("no image {path}", path=path)) from None
     except OSError as problem:
         raise MapError(Message("{name} {reason}", name=path.name, reason=_reason(problem))) from None
 

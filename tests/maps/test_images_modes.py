@@ -132,7 +132,7 @@ def test_the_image_may_lie_elsewhere(save: Callable[..., Path], tmp_path: Path) 
     [
         ("mode: ternary", "mode 'ternary' is not one of trinary, scale, raw"),
         ("mode: 3", "mode '3' is not one of"),
-        ("negate: maybe", "negate must be 0 or 1"),
+        ("negate: maybe", "negate: 'maybe' instead of 0 or 1"),
         ("resolution: 0", "resolution 0.0 m/px"),
     ],
 )
