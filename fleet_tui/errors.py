@@ -63,7 +63,7 @@ def did_you_mean(word: str, known: Iterable[str]) -> Message:
     """Return `, did you mean NAME?` if a known name is similar, in any case."""
     names = {name.casefold(): name for name in sorted(known)}
     # The search for similar names takes time with the square of the length.
-    near = get_close_matches(word[:80].casefold(), names, n=1, cutoff=0.5)
+    near = get_close_matches(word[:80].casefold(), names, n=1, cutoff=0.6)
     return Message(", did you mean {names}?", names=names[near[0]]) if near else EMPTY
 
 

@@ -63,12 +63,23 @@ def secret(bridge: Link, key: str) -> str:
             # Without its name: that may be the secret itself, entered by mistake.
             raise ConfigError([f"{where}: environment variable not set"])
     else:
-        found = _content(bridge, where).decode("ascii", errors="replace").rstrip("\r\n")
+        found = _content(bridge, where).decode("utf-8-sig", errors="replace").rstrip()
     if found and (len(found) > LONGEST or not re.fullmatch(r"[\x20-\x7e]+", found)):
         raise ConfigError([f"{where}: must be one line of plain ASCII"])
+    if key == "authorization" and found and (problem := _of_header(found)):
+        raise ConfigError([f"{where}: {problem}"])
     if key != "user":
         _known.update(word.encode() for word in _words(found) if len(word) >= SHORTEST)
     return found
+
+
+def _of_header(found: str) -> str:
+    """Return what is wrong with the value of a header `Authorization`, empty if nothing is."""
+    if found[0] in "\"'":
+        return "is in quotes: remove them"
+    if re.match(r"[A-Za-z-]+\s*:", found) and " " in found:
+        return "begins with the header's name: give its value alone, such as Basic ... or Bearer ..."
+    return "" if " " in found else "has no scheme: begin with Basic or Bearer and a space"
 
 
 def hidden(said: bytes) -> bytes:

@@ -132,10 +132,15 @@ def check_links(config: Config) -> Iterator[str]:
             yield f"{link_key(name)}.{problem}"
 
 
+_HOST = re.compile(r"[\w.-]+|[0-9a-fA-F:.]+")
+"""A name, also one with umlauts, or an address; no `${HOST}`, which nothing here replaces, and no zone."""
+
+
 def _link(link: Link) -> Iterator[str]:
     try:
         parts = urlsplit(link.url)
-        fine = parts.scheme in OF_SCHEMES and bool(parts.hostname) and parts.port != 0
+        host = parts.hostname or ""
+        fine = parts.scheme in OF_SCHEMES and bool(_HOST.fullmatch(host)) and parts.port != 0
     except ValueError:
         fine = False
     if not fine or parts.fragment:
@@ -289,6 +294,8 @@ def _placeholders(where: str, profile: Profile, floor_topics: frozenset[str]) ->
             for name in re.findall(r"\{([^}]*)\}", template):
                 if name not in (("robot", "floor") if key in floor_topics else ("robot",)):
                     yield f"{where}.{table}.{key}: {{{name}}} is not available here"
+            if set(re.sub(r"\{[^{}]*\}", "", template)) & set("{}"):
+                yield f"{where}.{table}.{key}: {template!r} has a brace without its other one"
 
 
 def _settings(where: str, profile: Profile, kind: str) -> Iterator[str]:

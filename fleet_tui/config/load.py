@@ -1,6 +1,7 @@
 """Finds, reads and checks a configuration: every problem at once, each with its remedy."""
 
 import os
+import re
 import tomllib
 import typing
 from collections.abc import Mapping
@@ -103,6 +104,7 @@ def load(path: Path, needs_robots: bool = True) -> Config:
 def read(path: Path) -> tuple[Config, list[str]]:
     """Parse a file as far as possible, without what must come from a safe one, and return its problems.
     Raises ConfigError for invalid TOML."""
+    text = ""
     try:
         text = read_text(path, LARGEST)
         table = toml(text)
@@ -112,11 +114,26 @@ def read(path: Path) -> tuple[Config, list[str]]:
     except OSError as problem:
         raise ConfigError([f"{path}: unreadable: {problem.strerror}"]) from None
     except UnicodeDecodeError:
-        raise ConfigError([f"{path}: not UTF-8 text"]) from None
+        raise ConfigError([f"{path}: not UTF-8 text: save it as UTF-8"]) from None
     except (ValueError, RecursionError) as problem:
-        raise ConfigError([f"{path}: not TOML: {problem}"]) from None
+        raise ConfigError([f"{path}: not TOML: {problem}{_habit(text)}"]) from None
     config, problems = _config_of(table)
     return safe(msgspec.structs.replace(config, path=path.absolute()), text), problems
+
+
+def _habit(text: str) -> str:
+    """Return what in a text that is no TOML comes from another program or format, empty if nothing does."""
+    for n, line in enumerate(text.splitlines(), 1):
+        if any(quote in line for quote in "“”„‘’"):
+            return f"; line {n} has the quotes of a text processor: write straight ones"
+        if "\u00a0" in line:
+            return f"; line {n} has a no-break space: write a usual one"
+    lines = [line.strip() for line in text.splitlines() if line.strip() and not line.lstrip().startswith("#")]
+    if lines and lines[0].startswith("{"):
+        return "; this is JSON: write key = value below [table]"
+    if lines and re.match(r"[\w-]+:(\s|$)", lines[0]):
+        return "; this is YAML: write key = value below [table]"
+    return ""
 
 
 def from_text(text: str) -> Config:

@@ -15,12 +15,13 @@ _MANY_PARTS = re.compile(r"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]
 
 
 def read_text(path: Path, largest: int) -> str:
-    """Return a whole UTF-8 file. Raises OSError, and ValueError for a larger one or another encoding."""
+    """Return a whole UTF-8 file, without its mark. Raises OSError, and ValueError for a larger one or another
+    encoding."""
     with open_file(path) as file:
         content = file.read(largest + 1)
     if len(content) > largest:
         raise ValueError(f"over {largest:,} bytes")
-    return content.decode()
+    return content.decode("utf-8-sig")
 
 
 def read_toml(path: Path) -> dict[str, Any]:

@@ -21,6 +21,18 @@ from tests.support.watched_store import config_of
         (WORD, 0o640, "rosbridge.authorization_file: readable by others (mode 640): chmod 600 it"),
         (WORD, 0o604, "rosbridge.authorization_file: readable by others (mode 604): chmod 600 it"),
         ("", 0o600, "rosbridge.authorization_file: is empty"),
+        (f'"{WORD}"', 0o600, "rosbridge.authorization_file: is in quotes: remove them"),
+        (
+            f"Authorization: {WORD}",
+            0o600,
+            "rosbridge.authorization_file: begins with the header's name: give its value alone, such as"
+            " Basic ... or Bearer ...",
+        ),
+        (
+            "dXNlcg==",
+            0o600,
+            "rosbridge.authorization_file: has no scheme: begin with Basic or Bearer and a space",
+        ),
         (f"{WORD}\nX: y", 0o600, "rosbridge.authorization_file: must be one line of plain ASCII"),
         (f"{WORD}\xe9", 0o600, "rosbridge.authorization_file: must be one line of plain ASCII"),
         ("x" * 20_000, 0o600, "rosbridge.authorization_file: must be one line of plain ASCII"),

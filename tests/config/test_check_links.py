@@ -8,6 +8,9 @@ from fleet_tui.errors import ConfigError
 ROBOT = '[[floors]]\nname = "a"\n[[robots]]\nname = "agv_1"\nlink = "site"\n[links.site]\n'
 
 
+NO_ADDRESS = "is not an address, expected e.g. ws://HOST:9090 or mqtt://HOST"
+
+
 @pytest.mark.parametrize(
     "url", ["mqtt://broker", "mqtt://broker:1884/", "mqtts://10.0.0.1", "mqtts://[::1]:8883"]
 )
@@ -39,6 +42,9 @@ def test_a_broker_is_a_link(url: str) -> None:
         ),
         ('url = "ws://broker"\nrole = "pause"', "role: ws:// has no roles, only a broker has them"),
         ('url = "mqtt://broker"\nrole = "king"', "role: 'king' is not one of watch, pause, master"),
+        ('url = "ws://${HOST}:9090"', f"url: 'ws://${{HOST}}:9090' {NO_ADDRESS}"),
+        ('url = "ws://[fe80::1%eth0]:9090"', f"url: 'ws://[fe80::1%eth0]:9090' {NO_ADDRESS}"),
+        ('url = "ws://a b:9090"', f"url: 'ws://a b:9090' {NO_ADDRESS}"),
         (
             'url = "amqp://broker"',
             "url: 'amqp://broker' is not an address, expected e.g. ws://HOST:9090 or mqtt://HOST",

@@ -204,7 +204,11 @@ def test_all_problems_come_at_once(write: Write) -> None:
         (b"a = 1\na = 2\n", "not TOML"),
         (b"a = " + b"9" * 5000, "not TOML"),
         (b"a = " + b"[" * 2000 + b"]" * 2000, "not TOML"),
-        (b"name = '\xff'\n", "not UTF-8 text"),
+        (b"name = '\xff'\n", "not UTF-8 text: save it as UTF-8"),
+        ("# a\nname = “x”\n".encode(), "line 2 has the quotes of a text processor"),
+        ("[[robots]]\n\u00a0name = 'x'\n".encode(), "line 2 has a no-break space"),
+        (b'{"rosbridge": {}}\n', "this is JSON: write key = value below [table]"),
+        (b"# a\nrosbridge:\n  url: x\n", "this is YAML: write key = value below [table]"),
         (b"", "robots: empty"),
     ],
 )
@@ -212,6 +216,12 @@ def test_what_is_no_config_at_all(tmp_path: Path, content: bytes, says: str) -> 
     path = tmp_path / "config.toml"
     path.write_bytes(content)
     assert any(says in line for line in problems(path))
+
+
+def test_a_file_of_windows_is_one(tmp_path: Path) -> None:
+    path = tmp_path / "config.toml"
+    path.write_bytes(b'\xef\xbb\xbf[[floors]]\r\nname = "f"\r\n[[robots]]\r\nname = "r"\r\n')
+    assert [robot.name for robot in load(path).robots] == ["r"]
 
 
 def test_a_file_that_cannot_be_read(tmp_path: Path) -> None:
