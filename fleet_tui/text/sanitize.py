@@ -110,6 +110,7 @@ def folded(text: str, first: int, others: int) -> list[str]:
     """Return a text as lines, at least one, of which the first has other cells than those below it."""
     if cell_width(text) > len(text):
         first, others = first // 2, others // 2
+    first, others = max(1, first), max(1, others)
     width, above, below = max(first, others), " " * (others - first), " " * (first - others)
     lines = wrap(text, width, initial_indent=above, subsequent_indent=below, break_on_hyphens=False)
     return [line.lstrip() for line in lines or [""]]

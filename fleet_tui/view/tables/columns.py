@@ -10,7 +10,7 @@ from fleet_tui.model.order import natural
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import cell_width, fit, sanitize
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.table import LateRows, Row, Run, column, cut, folded_runs, width_of
+from fleet_tui.view.tables.table import LateRows, Row, Run, column, cut, folded_runs, width_of, without_blanks
 
 Item = TypeVar("Item")
 
@@ -137,7 +137,7 @@ class FittedColumns(Generic[Item]):
         for one, fixed in zip(self._columns, self._cells, strict=True):
             runs = one.runs(item)
             if fixed is None and one is last:
-                made = [*_without_blanks(made, width_of(runs) - self.rest), *runs]
+                made = [*without_blanks(made, width_of(runs) - self.rest), *runs]
                 continue
             cells = self.rest - 1 if fixed is None else fixed
             if one.ends_differ:
@@ -174,20 +174,6 @@ def _cells(one: Column[Item], items: Sequence[Item]) -> int | None:
     least, most = one.cells
     texts = (_text(one.runs(item)) for item in islice(items, MEASURED))
     return column(texts, max(least, min(most, cell_width(one.title))), most)
-
-
-def _without_blanks(runs: list[Run], cells: int) -> list[Run]:
-    """Return runs without so many of the blank cells at their end, as far as there are, but for one: what
-    follows would be cut beside them."""
-    kept, text = list(runs), _text(runs)
-    left = min(cells, len(text) - len(text.rstrip()) - 1)
-    while left > 0:
-        text, role = kept.pop()
-        gone = min(left, len(text) - len(text.rstrip()))
-        left -= gone
-        if gone < len(text):
-            kept.append((text[: len(text) - gone], role))
-    return kept
 
 
 def cut_at_front(text: str, cells: int) -> str:

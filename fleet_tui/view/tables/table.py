@@ -92,6 +92,20 @@ def cut(runs: Iterable[Run], cells: int) -> tuple[Run, ...]:
     return tuple(result)
 
 
+def without_blanks(runs: list[Run], cells: int) -> list[Run]:
+    """Return runs without so many of the blank cells at their end, as far as there are, but for one: what
+    follows would be cut beside them."""
+    kept, text = list(runs), "".join(part for part, _ in runs)
+    left = min(cells, len(text) - len(text.rstrip()) - 1)
+    while left > 0:
+        text, role = kept.pop()
+        gone = min(left, len(text) - len(text.rstrip()))
+        left -= gone
+        if gone < len(text):
+            kept.append((text[: len(text) - gone], role))
+    return kept
+
+
 def folded_runs(runs: Sequence[Run], first: int, others: int) -> list[list[Run]]:
     """Return runs as lines, at least one, of which the first has other cells than those below it."""
     text = "".join(part for part, _ in runs)
