@@ -106,6 +106,19 @@ def _cut(text: str, cells: int) -> tuple[str, int]:
     return "".join(kept) + "…", width + 1
 
 
+def without_cells(text: str, start: int, cells: int) -> str:
+    """Return a text without so many cells from `start` on; a blank is in the place of half a letter."""
+    if text.isascii():
+        return text[:start] + text[start + cells :]
+    kept, at, end = [], 0, start + cells
+    for letter in text:
+        after = at + letter_width(letter)
+        outside = after <= start or at >= end
+        kept.append(letter if outside else " " * (max(0, start - at) + max(0, after - end)))
+        at = after
+    return "".join(kept)
+
+
 def folded(text: str, first: int, others: int) -> list[str]:
     """Return a text as lines, at least one, of which the first has other cells than those below it."""
     if cell_width(text) > len(text):

@@ -14,9 +14,9 @@ from fleet_tui.text.language import N_, Message, counted, tr, translate
 from fleet_tui.text.sanitize import cell_width, sanitize
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.arrangement import RowArrangement
-from fleet_tui.view.tables.columns import BELOW, LEAST_REST, UNBOUNDED, Column, FittedColumns, rows_of
+from fleet_tui.view.tables.columns import UNBOUNDED, Column, FittedColumns, rows_of
 from fleet_tui.view.tables.short_names import own_names
-from fleet_tui.view.tables.table import Row, Run, Table, width_of
+from fleet_tui.view.tables.table import INDENT, LEAST, Row, Run, Table
 
 SIGNS = {
     AlarmStage.UNACKNOWLEDGED: Message("▲ new"),
@@ -99,8 +99,8 @@ def _advice(alarm: Alarm, width: int, whose: str = "") -> list[Row]:
     if not alarm.holds or alarm.stage is AlarmStage.SHELVED or width >= UNBOUNDED:
         return []
     action = translate(action_of(alarm.condition))
-    lines = wrap(whose + action, max(LEAST_REST, width - 1 - width_of([BELOW])))
-    return [Row(None, (BELOW, (line, StyleRole.TEXT))) for line in lines]
+    lines = wrap(whose + action, max(LEAST, width - 1 - INDENT))
+    return [Row(None, ((" " * INDENT + line, StyleRole.TEXT),)) for line in lines]
 
 
 def unacknowledged(state: FleetState) -> list[Key]:

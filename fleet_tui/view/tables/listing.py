@@ -5,15 +5,14 @@ from bisect import bisect_left, bisect_right
 from collections.abc import Hashable, Iterator, Sequence
 
 from fleet_tui.text.language import tr
+from fleet_tui.text.sanitize import cell_width, without_cells
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.table import Button, Run, Table, cut, folded_runs, width_of, without_blanks
+from fleet_tui.view.tables.table import Button, Run, Table, continued, cut, width_of, without_blanks
 
 CURSOR = "▸"
 MARK = "*"
 BOTH = "◆"
 NO_MARK = (" ", StyleRole.TEXT)
-INDENT = 2
-"""Cells before the rest of a row, at least."""
 SLIDE = 8
 """Cells that long rows slide at once."""
 HEAD_FROM = 5
@@ -116,18 +115,12 @@ class Listing:
         """Yield the lines of the rows in view, each with the place of its row. While lines are free, a long
         row goes on in the next ones."""
         free = height - len(self._table.rows)
-        below = " " * max(INDENT, self._stays(cells)), StyleRole.TEXT
         for place, row in enumerate(self._table.rows[self._top : self._top + height], self._top):
-            sign, shown, rest = self._sign(row.key, focused), self._slide(row.runs, cells), []
-            if free > 0 and not self._slid and width_of(row.runs) > cells:
-                first, *rest = folded_runs(row.runs, cells, cells - width_of([below]))
-                if len(rest) > free:
-                    rest = []
-                else:
-                    shown = cut(first, cells)
+            lines = continued(row, cells) if free > 0 and not self._slid else []
+            first, *rest = lines if 1 < len(lines) <= free + 1 else [row.runs]
             free -= len(rest)
-            yield place, (sign, *shown)
-            yield from ((place, (NO_MARK, *cut([below, *part], cells))) for part in rest)
+            yield place, (self._sign(row.key, focused), *self._slide(first, cells))
+            yield from ((place, (NO_MARK, *cut(line, cells))) for line in rest)
 
     def _sign(self, key: Hashable, focused: bool) -> Run:
         """Return the first cell of a row: with the cursor, marked, both or neither."""
@@ -168,11 +161,12 @@ class Listing:
         stays = self._stays(width)
         runs: list[Run] = []
         for text, role in row:
-            kept = min(stays, len(text))
-            gone = min(left, len(text) - kept)
+            cells = cell_width(text)
+            kept = min(stays, cells)
+            gone = min(left, cells - kept)
             stays -= kept
             left -= gone
-            runs.append((text[:kept] + text[kept + gone :], role))
+            runs.append((without_cells(text, kept, gone), role))
         return cut(runs, width)
 
     def _stays(self, width: int) -> int:
