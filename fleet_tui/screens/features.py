@@ -152,7 +152,7 @@ class Features:
             console.backend,
         )
         self.robot_page = RobotPage(page, self.robots.menu, lambda: panes.space_beside_map)
-        self.audit_log = AuditLog(console.files)
+        self.audit_log = AuditLog(console.files, console.notices.say)
         self.programs = Programs(console)
         self.routines = Routines(console)
         self.diagnostics = Diagnostics(Pages(state, console.backend, settings.clock), settings.keys)
