@@ -40,7 +40,7 @@ class TableOverlay(Overlay):
         say: Callable[[Message], object],
     ) -> None:
         """`choose` is called with the key of the row that Enter means, `say` with the response to a key."""
-        super().__init__(id=id)
+        super().__init__(id=id, classes="over-table")
         self.rows = RowsPane(id=f"{id}-rows", choose=choose)
         self._list = self.rows.arrangement, self.rows.listing
         self.field = FilterField(self.rows, id=f"{id}-filter", keys=self.field_keys())
