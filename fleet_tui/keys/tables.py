@@ -33,5 +33,10 @@ TABLES: tuple[Key, ...] = (
         Message("Group the fleet by floor, by link, or not; Enter folds a group"),
         of_rows=True,
     ),
-    Key("copy_row", ("y",), Message("Copy the row to the clipboard (OSC 52)"), of_rows=True),
+    Key(
+        "copy_row",
+        ("y",),
+        Message("Copy the row, or all marked ones, to the clipboard (OSC 52)"),
+        of_rows=True,
+    ),
 )

@@ -1,14 +1,13 @@
 """The audit log on the screen: typed text filters it, Enter shows one command from the key to its end."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from datetime import datetime
 from functools import partial
 from typing import ClassVar
 
 from textual import on
-from textual.app import ComposeResult
 from textual.binding import BindingType
-from textual.widgets import Input, Static
+from textual.widgets import Input
 from textual.worker import get_current_worker
 
 from fleet_tui.audit.export import export
@@ -17,70 +16,66 @@ from fleet_tui.audit.search import Search, search_of
 from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.errors import FleetError
 from fleet_tui.model.audit_record import AuditRecord
-from fleet_tui.screens.overlay import Overlay
+from fleet_tui.screens.tables.paged_overlay import TableOverlay
 from fleet_tui.text.language import Message, counted, tr, translate
 from fleet_tui.view.tables.audit import audit_table, details
-from fleet_tui.widgets.field import Field, Keys, row_keys
-from fleet_tui.widgets.messages import RowChosen, RowPicked
-from fleet_tui.widgets.rows_pane import RowsPane
+from fleet_tui.widgets.field import Keys
+from fleet_tui.widgets.messages import RowPicked
 
 SHOWN = 1000
 """Number of records that are listed; a narrower search reaches the older ones."""
 HOW = Message("type to filter, robot: by: outcome: since:2h  Enter steps  Ctrl-S CSV")
 
 
-class AuditLog(Overlay):
-    """Reads the files in a thread, so that large ones don't block the console."""
+class AuditLog(TableOverlay):
+    """Reads the files in a thread, so that large ones don't block the console. Its filter is a search in
+    them."""
 
     BINDINGS: ClassVar[list[BindingType]] = [("escape", "close", "Close")]
 
-    def __init__(self, files: ConsoleFiles) -> None:
-        super().__init__(id="audit")
+    def __init__(self, files: ConsoleFiles, say: Callable[[Message], object]) -> None:
+        super().__init__("audit", lambda _: self._look_closer(), 0.0, say)
         self._files = files
         self._records: list[AuditRecord] = []
-        self.rows = RowsPane(id="audit-rows")
-        self.rows.can_focus = False  # keys are typed into the field
+        self._told = "", ""
 
-    def compose(self) -> ComposeResult:
-        """Compose a field above the records, and the details of the marked one below them."""
-        keys: Keys = {
+    def field_keys(self) -> Keys:
+        return {
             "escape": self.action_close,
             "enter": self._look_closer,
             "ctrl+s": self._export,
-            **row_keys(self.rows.move),
+            "tab": lambda: self.screen.set_focus(self.rows),
         }
-        yield Field(keys, id="audit-filter", placeholder=translate(HOW))
-        yield self.rows
-        yield Static(id="audit-detail", markup=False)
 
     def show(self) -> None:
         """Open on the newest records."""
-        self.open(self.query_one(Field))
+        self.field.placeholder = translate(HOW)
+        self.field.display = True
+        self.open(self.field)
         self._find("")
+
+    def action_filter(self) -> None:
+        self.screen.set_focus(self.field)
 
     def _find(self, typed: str) -> None:
         """Start a search for the typed text."""
-        field = self.query_one(Field)
-        with field.prevent(Input.Changed):
-            field.value = typed
+        with self.field.prevent(Input.Changed):
+            self.field.value = typed
         self._search()
 
-    @on(Input.Changed, "#audit-filter")
-    def _typed(self, event: Input.Changed) -> None:
-        event.stop()
+    def filter(self, typed: str) -> None:
         self._search()
 
     def _wanted(self) -> "tuple[AuditReader, Search] | None":
         """Return the log and the search, unless the typed text is no valid search."""
         audit = self._files.audit
         if audit is None:
-            self._list([], empty=tr("no audit log on this console"))
+            self._show_found([], empty=tr("no audit log on this console"))
             return None
         try:
-            typed = self.query_one(Field).value
-            search = search_of(typed, datetime.now().astimezone(), audit.origin.demo)
+            search = search_of(self.field.value, datetime.now().astimezone(), audit.origin.demo)
         except FleetError as problem:
-            self._list([], empty=str(problem))
+            self._show_found([], empty=str(problem))
             return None
         return AuditReader(audit.file.path), search
 
@@ -111,14 +106,20 @@ class AuditLog(Overlay):
 
         def show() -> None:
             if not worker.is_cancelled:  # on the screen's thread, which may have begun another search
-                self._list(found[:SHOWN], note, problem)
+                self._show_found(found[:SHOWN], note, problem)
 
         self.app.call_from_thread(show)
 
-    def _list(self, records: list[AuditRecord], note: str = "", empty: str = "") -> None:
+    def _show_found(self, records: list[AuditRecord], note: str = "", empty: str = "") -> None:
         self._records = records
+        self._told = note, empty
         self.rows.listing.cursor = 0
-        self.rows.show(audit_table(records, note, empty))
+        self.look()
+
+    def look(self) -> None:
+        """Show what was found."""
+        arranged = self.rows.row_width, self.rows.arrangement
+        self.rows.show(audit_table(self._records, *self._told, *arranged))
         self._detail()
 
     @on(RowPicked)
@@ -126,12 +127,8 @@ class AuditLog(Overlay):
         place = self.rows.listing.cursor
         known = isinstance(place, int) and place < len(self._records)
         lines = details(self._records[place]) if known and isinstance(place, int) else []
-        self._say("\n".join(lines))
+        self.note("\n".join(lines))
 
-    def _say(self, text: str) -> None:
-        self.query_one("#audit-detail", Static).update(text)
-
-    @on(RowChosen)
     def _look_closer(self) -> None:
         """Show the marked command alone, with all its steps; again, all records."""
         place = self.rows.listing.cursor
@@ -139,15 +136,15 @@ class AuditLog(Overlay):
             return
         record = self._records[place]
         this = f"request:{record.id}" if record.id is not None else f"{record.robot} {record.what}".strip()
-        self._find("" if self.query_one(Field).value == this else this)
+        self._find("" if self.field.value == this else this)
 
     def _export(self) -> None:
         if self._files.refusal:
-            self._say(translate(self._files.refusal))
+            self.note(translate(self._files.refusal))
             return
         wanted = self._wanted()
         if wanted is not None:
-            self._say(tr("writing ..."))
+            self.note(tr("writing ..."))
             self.run_worker(partial(self._write, *wanted), thread=True, group="audit export")
 
     def _write(self, reading: "AuditReader", search: "Search") -> None:
@@ -172,4 +169,4 @@ class AuditLog(Overlay):
             return
         except OSError as problem:
             said = tr("not written: {path}: {strerror}", path=path, strerror=problem.strerror)
-        self.app.call_from_thread(self._say, said)
+        self.app.call_from_thread(self.note, said)

@@ -67,6 +67,7 @@ from fleet_tui.screens.programs import Programs
 from fleet_tui.screens.robot.page import PageSource, RobotPage
 from fleet_tui.screens.routines import Routines
 from fleet_tui.screens.simple import SimpleSwitch
+from fleet_tui.screens.tables.paged_overlay import TableOverlay
 from fleet_tui.screens.tables.pane_rows import PaneRows
 from fleet_tui.screens.tables.tools import TableTools
 from fleet_tui.screens.why import Why
@@ -96,7 +97,7 @@ CURSORS = frozenset({"map_cursor", "next_vertex", "previous_vertex", "pose", "go
 class Features:
     """Widgets and controllers with their dependencies."""
 
-    styled: list[RunsView | Diagnostics | HistoryOverlay | Programs | Routines | RobotPage]
+    styled: list[RunsView | TableOverlay | RobotPage]
     _covers = False
     _has_few_colours = False
 
@@ -152,7 +153,7 @@ class Features:
             console.backend,
         )
         self.robot_page = RobotPage(page, self.robots.menu, lambda: panes.space_beside_map)
-        self.audit_log = AuditLog(console.files)
+        self.audit_log = AuditLog(console.files, console.notices.say)
         self.programs = Programs(console)
         self.routines = Routines(console)
         self.diagnostics = Diagnostics(Pages(state, console.backend, settings.clock), settings.keys)
@@ -163,9 +164,15 @@ class Features:
         self.palette = Palette(offers.entries, lambda line: self._typed_set_up(line) or offers.typed(line))
         self._add_set_up()
         self.simple = SimpleSwitch(console, panes, self.map, self.orders.may_order)
-        self.styled = [self.map, self.audit_log.rows, self.diagnostics, *self.key_help.views]
-        self.styled += [self.programs, self.routines, *self.small_maps, self.robot_page, self.history]
-        self.styled.append(self.camera_switch.view)
+        self.tools: tuple[TableOverlay, ...] = (
+            self.audit_log,
+            self.diagnostics,
+            self.history,
+            self.programs,
+            self.routines,
+        )
+        self.styled = [self.map, *self.tools, *self.key_help.views, *self.small_maps]
+        self.styled += [self.robot_page, self.camera_switch.view]
         self.actions = self._key_actions()
 
     def _add_map(self) -> None:
@@ -248,8 +255,7 @@ class Features:
             await panes.floor.mount(self.camera_switch.view, self.map, before=0)
             if len(console.store.state.floors) > 1:
                 await panes.mount_small_maps(*self.small_maps)
-            tools = (self.audit_log, self.diagnostics, self.history, self.programs, self.routines)
-            await screen.mount(*opens, *tools, *self.tables.widgets, self.robot_page)
+            await screen.mount(*opens, *self.tools, *self.tables.widgets, self.robot_page)
             panes.place_dialogs(*below_map)
             if (time_line := self._session.time_line()) is not None:
                 self.styled.append(time_line)

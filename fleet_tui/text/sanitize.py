@@ -106,10 +106,24 @@ def _cut(text: str, cells: int) -> tuple[str, int]:
     return "".join(kept) + "…", width + 1
 
 
+def without_cells(text: str, start: int, cells: int) -> str:
+    """Return a text without so many cells from `start` on; a blank is in the place of half a letter."""
+    if text.isascii():
+        return text[:start] + text[start + cells :]
+    kept, at, end = [], 0, start + cells
+    for letter in text:
+        after = at + letter_width(letter)
+        outside = after <= start or at >= end
+        kept.append(letter if outside else " " * (max(0, start - at) + max(0, after - end)))
+        at = after
+    return "".join(kept)
+
+
 def folded(text: str, first: int, others: int) -> list[str]:
     """Return a text as lines, at least one, of which the first has other cells than those below it."""
     if cell_width(text) > len(text):
         first, others = first // 2, others // 2
+    first, others = max(1, first), max(1, others)
     width, above, below = max(first, others), " " * (others - first), " " * (first - others)
     lines = wrap(text, width, initial_indent=above, subsequent_indent=below, break_on_hyphens=False)
     return [line.lstrip() for line in lines or [""]]

@@ -1,22 +1,20 @@
 """A field that filters the rows of an overlay: hidden while nothing is typed in it."""
 
-from collections.abc import Callable
-
 from textual.actions import SkipAction
 from textual.widgets import Input
 
 from fleet_tui.text.language import tr
 from fleet_tui.view.tables.arrangement import RowArrangement
-from fleet_tui.widgets.field import Field, row_keys
+from fleet_tui.widgets.field import Field, Keys, row_keys
 from fleet_tui.widgets.rows_pane import RowsPane
 
 
 class FilterField(Field):
-    """Moves the cursor of the rows while one types; Enter keeps the text, `escape` runs on Esc."""
+    """Moves the cursor of the rows while one types; Enter keeps the text, unless the `keys` have it."""
 
-    def __init__(self, rows: RowsPane, *, id: str, escape: Callable[[], object]) -> None:
+    def __init__(self, rows: RowsPane, *, id: str, keys: Keys) -> None:
         self._rows = rows
-        super().__init__({**row_keys(rows.move), "enter": self.leave, "escape": escape}, id=id)
+        super().__init__({**row_keys(rows.move), "enter": self.leave, **keys}, id=id)
 
     def on_mount(self) -> None:
         """Hide it until it is used."""

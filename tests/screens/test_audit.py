@@ -114,6 +114,26 @@ async def test_what_matches_goes_to_a_new_file_for_its_owner(server: RosbridgeSe
     assert [row["change"] for row in rows] == ["confirmed", "accepted", "sent", "checked"]
 
 
+async def test_after_tab_its_rows_are_sorted_and_copied_like_those_of_every_table(
+    server: RosbridgeServer, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async with audited(server, tmp_path) as it:
+        sent: list[str] = []
+        monkeypatch.setattr(it.app._driver, "write", sent.append)
+        await it.press("p")
+        await it.shows("robot_0 pause: confirmed")
+        await open_log(it, "robot_0 pause: checked")
+        await it.press("tab", "S")
+        await it.shows(" by time", "audit-rows")
+        assert it.pane("audit-rows").index("checked") < it.pane("audit-rows").index("confirmed")
+        await it.press("space", "up", "space", "y")
+        await it.shows("2 rows, ", "message")
+        assert sent
+        await it.press("slash", "z", "S")
+        await it.shows("no matching record")
+        assert field(it) == "zS"
+
+
 async def test_a_read_only_console_exports_nothing(server: RosbridgeServer, tmp_path: Path) -> None:
     async with audited(server, tmp_path) as it:
         it.app.main.files.refusal = READ_ONLY

@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from rich.cells import cell_len
 
-from fleet_tui.text.sanitize import cell_width, fit, fit_words, folded, sanitize
+from fleet_tui.text.sanitize import cell_width, fit, fit_words, folded, sanitize, without_cells
 
 
 @pytest.mark.parametrize(
@@ -95,3 +95,12 @@ def test_folded_lines_have_all_of_the_text_and_break_no_word_twice(
 def test_a_long_word_goes_on_in_the_next_line() -> None:
     path = "/robot_7/Application_layout/Pause"
     assert folded(f"Service {path} is", 16, 30) == ["Service /robot_7", "/Application_layout/Pause is"]
+
+
+@given(st.text("ab仓库", max_size=20), st.integers(0, 30), st.integers(0, 30))
+def test_without_cells_a_text_is_shorter_by_them_and_keeps_its_start(
+    text: str, start: int, cells: int
+) -> None:
+    gone = max(0, min(cells, cell_width(text) - start))
+    assert cell_width(without_cells(text, start, cells)) == cell_width(text) - gone
+    assert without_cells("仓库abc", 2, 3) == "仓 bc"[:1] + "bc"

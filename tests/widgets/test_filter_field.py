@@ -17,7 +17,7 @@ class Filtered(App[None]):
     def __init__(self) -> None:
         super().__init__()
         self.rows = RowsPane(id="rows")
-        self.field = FilterField(self.rows, id="field", escape=lambda: self.field.leave(clear=True))
+        self.field = FilterField(self.rows, id="field", keys={"escape": lambda: self.field.leave(clear=True)})
         self.typed: list[str] = []
 
     def compose(self) -> ComposeResult:

@@ -56,13 +56,16 @@ class DiagnosticsControls:
             if self.current is Page.TOPICS:
                 self._view.rows.listing.cursor = self._pages.topic
         self._pages.begin_log(robot)
-        self.page(self.current if page is None else page)
+        self._turn_to(self.current if page is None else page)
         if page is Page.HEALTH:
             self._view.rows.listing.cursor = self._pages.first_part(robot)
-            self._view.look()
 
     def page(self, number: int) -> None:
         """Show a page, with its last cursor position."""
+        self._turn_to(number)
+        self._view.look()
+
+    def _turn_to(self, number: int) -> None:
         self._cursors[self.current] = self._view.rows.listing.cursor
         self.current = Page(number)
         self.notice = EMPTY
@@ -70,7 +73,6 @@ class DiagnosticsControls:
         self._view.rows.listing.cursor = self._cursors.get(self.current)
         self._view.rows.arrangement = self._pages.arrangements[self.current]
         self._view.put_filter(self._view.rows.arrangement.typed)
-        self._view.look()
 
     def step_page(self, step: int) -> None:
         """Show the next (1) or previous (-1) page."""

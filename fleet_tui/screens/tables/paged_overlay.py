@@ -19,6 +19,7 @@ from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.arrangement import RowArrangement
 from fleet_tui.view.tables.listing import Listing
 from fleet_tui.widgets.bindings import table_bindings
+from fleet_tui.widgets.field import Keys
 from fleet_tui.widgets.filter_field import FilterField
 from fleet_tui.widgets.line_view import LineView
 from fleet_tui.widgets.rows_pane import RowsPane
@@ -39,10 +40,10 @@ class TableOverlay(Overlay):
         say: Callable[[Message], object],
     ) -> None:
         """`choose` is called with the key of the row that Enter means, `say` with the response to a key."""
-        super().__init__(id=id)
+        super().__init__(id=id, classes="over-table")
         self.rows = RowsPane(id=f"{id}-rows", choose=choose)
         self._list = self.rows.arrangement, self.rows.listing
-        self.field = FilterField(self.rows, id=f"{id}-filter", escape=self.leave_field)
+        self.field = FilterField(self.rows, id=f"{id}-filter", keys=self.field_keys())
         self.refreshing: Timer | None = None
         self._every = every
         self._say = say
@@ -107,6 +108,10 @@ class TableOverlay(Overlay):
         """Show the list again, as it was."""
         self.rows.arrangement, self.rows.listing = self._list
         self.put_filter(self.rows.arrangement.typed)
+
+    def field_keys(self) -> Keys:
+        """Return the keys of the field beside those that move the cursor."""
+        return {"escape": self.leave_field}
 
     def leave_field(self) -> None:
         """Clear the filter, with the focus on the rows."""

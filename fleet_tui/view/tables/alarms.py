@@ -14,9 +14,9 @@ from fleet_tui.text.language import N_, Message, counted, tr, translate
 from fleet_tui.text.sanitize import cell_width, sanitize
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.arrangement import RowArrangement
-from fleet_tui.view.tables.columns import BELOW, LEAST_REST, UNBOUNDED, Column, FittedColumns, rows_of
+from fleet_tui.view.tables.columns import UNBOUNDED, Column, FittedColumns, rows_of
 from fleet_tui.view.tables.short_names import own_names
-from fleet_tui.view.tables.table import Row, Run, Table, width_of
+from fleet_tui.view.tables.table import INDENT, LEAST, Row, Run, Table
 
 SIGNS = {
     AlarmStage.UNACKNOWLEDGED: Message("▲ new"),
@@ -75,13 +75,13 @@ def _names(state: FleetState, most: int) -> Mapping[str, str]:
     return names
 
 
-def _signs(alarm: Alarm, shelf: str, is_wide: bool) -> list[Run]:
-    """Return stage and priority, in a narrow pane the stage as a sign: what is most urgent as a chip, like a
-    robot's on the map."""
+def _signs(alarm: Alarm, shelf: str, stages: int) -> list[Run]:
+    """Return stage and priority, the stage in so many cells, of a narrow pane as a sign: what is most urgent
+    as a chip, like a robot's on the map."""
     sign, priority = translate(SIGNS[alarm.stage]), alarm.condition.priority
     text = f"{sign[0]} {translate(SHORT_PRIORITIES[priority])[:SHORT]}{shelf}"
-    if is_wide:
-        text = f"{sign:<{_longest(SIGNS)}}{shelf} {translate(PRIORITIES[priority])}"
+    if stages > 1:
+        text = f"{sign:<{stages}}{shelf} {translate(PRIORITIES[priority])}"
     if alarm.needs_acknowledgement and alarm.holds and alarm.condition.priority is Priority.HIGH:
         return [(text.rstrip(), StyleRole.ROBOT_ALARM), ("", StyleRole.TEXT)]
     is_known = alarm.holds and alarm.stage is AlarmStage.ACKNOWLEDGED
@@ -99,8 +99,8 @@ def _advice(alarm: Alarm, width: int, whose: str = "") -> list[Row]:
     if not alarm.holds or alarm.stage is AlarmStage.SHELVED or width >= UNBOUNDED:
         return []
     action = translate(action_of(alarm.condition))
-    lines = wrap(whose + action, max(LEAST_REST, width - 1 - width_of([BELOW])))
-    return [Row(None, (BELOW, (line, StyleRole.TEXT))) for line in lines]
+    lines = wrap(whose + action, max(LEAST, width - 1 - INDENT))
+    return [Row(None, ((" " * INDENT + line, StyleRole.TEXT),)) for line in lines]
 
 
 def unacknowledged(state: FleetState) -> list[Key]:
@@ -145,11 +145,11 @@ def _columns(
         shelf = ""
         if alarm.stage is AlarmStage.SHELVED:
             shelf = tr(" until {wall}", wall=clock(state.wall + alarm.shelved_until - state.now))
-        return _signs(alarm, shelf, is_wide)
+        return _signs(alarm, shelf, stages)
 
-    least = _longest(SIGNS) + 1 + _longest(PRIORITIES) if is_wide else len("! ") + SHORT
+    stages, priorities = (_longest(SIGNS), _longest(PRIORITIES)) if is_wide else (1, SHORT)
     return (
-        Column("", signs, (least, UNBOUNDED), ""),
+        Column("", signs, (stages + 1 + priorities, UNBOUNDED), ""),
         Column(
             N_("robot"),
             lambda alarm: names[alarm.condition.source],
@@ -219,6 +219,7 @@ def alarm_table(
         meant = next((alarm for alarm in alarms if alarm.key == marked), alarms[0])
         whose = f"{sanitize(meant.condition.source)}: " if len(alarms) > 1 else ""
         entries += _advice(meant, width, whose)
-    rows = rows_of(shown, entries, attrgetter("key"), whole=lambda alarm: alarm is meant)
+    whole = (lambda alarm: alarm is meant) if meant is not None else None
+    rows = rows_of(shown, entries, attrgetter("key"), whole)
     empty = arrangement.no_match if state.alarms else _without_alarms(state, key)
     return Table((*_title(state), *arrangement.notes(len(alarms))), rows, empty, unfiltered=len(state.alarms))

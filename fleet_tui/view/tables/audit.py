@@ -1,14 +1,15 @@
 """The audit log for reading: a row for each record, and the details of one."""
 
 from collections.abc import Sequence
+from operator import itemgetter
 
 from fleet_tui.model.audit_record import AuditRecord
 from fleet_tui.model.commands import FAILURES, Stage
 from fleet_tui.text.details import detail_text
-from fleet_tui.text.language import tr
+from fleet_tui.text.language import N_, tr
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.arrangement import table_of
+from fleet_tui.view.tables.arrangement import RowArrangement, table_of
 from fleet_tui.view.tables.columns import UNBOUNDED, Column
 from fleet_tui.view.tables.table import Run, Table
 
@@ -45,12 +46,18 @@ def _time(record: AuditRecord) -> str:
 
 
 def audit_table(
-    records: Sequence[AuditRecord], note: str = "", empty: str = "", width: int = UNBOUNDED
+    records: Sequence[AuditRecord],
+    note: str = "",
+    empty: str = "",
+    width: int = UNBOUNDED,
+    arrangement: RowArrangement | None = None,
 ) -> Table:
     """Return records in the given sequence; `note` is beside the title, `empty` shown if there are none."""
     title = ((tr("Audit log"), StyleRole.TITLE), (f" {sanitize(note)}", StyleRole.DIM))
     entries = list(enumerate(records))
-    return table_of(title, _COLUMNS, entries, lambda entry: entry[0], width, empty=sanitize(empty))
+    return table_of(
+        title, _COLUMNS, entries, itemgetter(0), width, arrangement=arrangement, empty=sanitize(empty)
+    )
 
 
 def _told(entry: tuple[int, AuditRecord]) -> list[Run]:
@@ -61,9 +68,18 @@ def _told(entry: tuple[int, AuditRecord]) -> list[Run]:
 
 
 _COLUMNS: Sequence[Column[tuple[int, AuditRecord]]] = (
-    Column("", lambda entry: (_time(entry[1]), StyleRole.DIM), 14, "", stays=True),
-    Column("", lambda entry: (entry[1].operator, StyleRole.DIM), (3, 10), ""),
-    Column("", _told, None, ""),
+    Column(
+        N_("time"),
+        lambda entry: (_time(entry[1]), StyleRole.DIM),
+        14,
+        "",
+        order=lambda entry: -entry[0],
+        stays=True,
+    ),
+    Column(N_("operator"), lambda entry: (entry[1].operator, StyleRole.DIM), (3, 10), "", sorts=True),
+    Column(N_("text"), _told, None, ""),
+    Column(N_("robot"), text=lambda entry: entry[1].robot or "", sorts=True),
+    Column(N_("outcome"), text=lambda entry: entry[1].change, sorts=True),
 )
 
 

@@ -5,12 +5,13 @@ from itertools import islice, takewhile
 from typing import Any, Generic, TypeVar
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from fleet_tui.model.order import natural
 from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import cell_width, fit, sanitize
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.table import LateRows, Row, Run, column, cut, folded_runs, width_of
+from fleet_tui.view.tables.table import LateRows, Row, Run, column, continued, cut, width_of, without_blanks
 
 Item = TypeVar("Item")
 
@@ -23,8 +24,6 @@ LEAST_REST = 10
 PARTS = 0.7
 """Share of a text from which the whole parts at its end are shown for it."""
 GAP: Run = " ", StyleRole.TEXT
-BELOW: Run = "  ", StyleRole.TEXT
-"""Before the rest of a long row, in the line below it."""
 
 
 class Column(Struct, Generic[Item], frozen=True):
@@ -132,12 +131,19 @@ class FittedColumns(Generic[Item]):
 
     def runs(self, item: Item) -> tuple[Run, ...]:
         """Return the row of an item: what takes the rest at its end is not cut, for it can slide."""
+        return self.row(item, None).runs
+
+    def row(self, item: Item, key: Hashable) -> Row:
+        """Return the same with its key, and where the rest begins."""
         made: list[Run] = []
+        start, blanks = 0, 0
         last = self._columns[-1] if self._columns else None
         for one, fixed in zip(self._columns, self._cells, strict=True):
             runs = one.runs(item)
             if fixed is None and one is last:
-                made = [*_without_blanks(made, width_of(runs) - self.rest), *runs]
+                kept = without_blanks(made, width_of(runs) - self.rest)
+                start, blanks = len(kept), width_of(made) - width_of(kept)
+                made = [*kept, *runs]
                 continue
             cells = self.rest - 1 if fixed is None else fixed
             if one.ends_differ:
@@ -151,21 +157,14 @@ class FittedColumns(Generic[Item]):
                 made.append((" " * left, StyleRole.TEXT))
                 cells -= left
             made += (*cut(runs, cells), GAP)
-        return tuple(made)
+        return Row(key, tuple(made), start=start, blanks=blanks)
 
-    def lines(self, item: Item) -> Iterator[tuple[Run, ...]]:
+    def rows(self, item: Item, key: Hashable) -> Iterator[Row]:
         """Yield the row of an item, and below it what its last column has no cells for: at its end is the
         cause."""
-        runs = self.runs(item)
-        if width_of(runs) <= self._width or self._cells[-1] is not None:
-            yield runs
-            return
-        told = self._columns[-1].runs(item)
-        start = runs[: len(runs) - len(told)]
-        cells = self._width - width_of(start), self._width - width_of([BELOW])
-        first, *rest = folded_runs(told, *(max(LEAST_REST, one) for one in cells))
-        yield (*start, *first)
-        yield from ((BELOW, *line) for line in rest)
+        row = replace(self.row(item, key), blanks=0)
+        for n, line in enumerate(continued(row, self._width, aligned=False)):
+            yield Row(None if n else key, tuple(line))
 
 
 def _cells(one: Column[Item], items: Sequence[Item]) -> int | None:
@@ -174,20 +173,6 @@ def _cells(one: Column[Item], items: Sequence[Item]) -> int | None:
     least, most = one.cells
     texts = (_text(one.runs(item)) for item in islice(items, MEASURED))
     return column(texts, max(least, min(most, cell_width(one.title))), most)
-
-
-def _without_blanks(runs: list[Run], cells: int) -> list[Run]:
-    """Return runs without so many of the blank cells at their end, as far as there are, but for one: what
-    follows would be cut beside them."""
-    kept, text = list(runs), _text(runs)
-    left = min(cells, len(text) - len(text.rstrip()) - 1)
-    while left > 0:
-        text, role = kept.pop()
-        gone = min(left, len(text) - len(text.rstrip()))
-        left -= gone
-        if gone < len(text):
-            kept.append((text[: len(text) - gone], role))
-    return kept
 
 
 def cut_at_front(text: str, cells: int) -> str:
@@ -213,24 +198,14 @@ def rows_of(
     """Return a row for each item, made when it is shown; rows among them, as below an opened one, stay. Those
     that are `whole` go on in further lines, which have no key, where they would lose their end."""
     if whole is not None:
-        entries = [row for one in entries for row in _lines(columns, one, key, whole)]
+        entries = [
+            row
+            for one in entries
+            for row in ([one] if isinstance(one, Row) or not whole(one) else columns.rows(one, key(one)))
+        ]
 
     def row(place: int) -> Row:
         entry = entries[place]
-        return entry if isinstance(entry, Row) else Row(key(entry), columns.runs(entry))
+        return entry if isinstance(entry, Row) else columns.row(entry, key(entry))
 
     return LateRows([one.key if isinstance(one, Row) else key(one) for one in entries], row)
-
-
-def _lines(
-    columns: FittedColumns[Item],
-    entry: Item | Row,
-    key: Callable[[Item], Hashable],
-    whole: Callable[[Item], bool],
-) -> Iterator[Item | Row]:
-    if isinstance(entry, Row) or not whole(entry):
-        yield entry
-        return
-    first, *rest = columns.lines(entry)
-    yield Row(key(entry), first)
-    yield from (Row(None, line) for line in rest)

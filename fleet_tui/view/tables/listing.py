@@ -2,11 +2,12 @@
 
 import re
 from bisect import bisect_left, bisect_right
-from collections.abc import Hashable, Sequence
+from collections.abc import Hashable, Iterator, Sequence
 
 from fleet_tui.text.language import tr
+from fleet_tui.text.sanitize import cell_width, without_cells
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.table import Button, Run, Table, cut, width_of
+from fleet_tui.view.tables.table import Button, Run, Table, continued, cut, width_of, without_blanks
 
 CURSOR = "▸"
 MARK = "*"
@@ -34,6 +35,8 @@ class Listing:
         self._place = 0
         self._first = 1
         """The line of the first row."""
+        self._places: Sequence[int] = ()
+        """The row of each line from there on."""
 
     def show(self, table: Table) -> None:
         """Show the newest rows. If the cursor's row is gone, it moves to the one now in its place, or to the
@@ -100,14 +103,24 @@ class Listing:
         # The cursor's row stays visible, and no line is wasted at the end.
         self._top = max(0, min(self._top, self._place, len(self._table.rows) - rows))
         self._top = max(self._top, self._place - rows + 1, 0)
-        shown = [
-            (self._sign(row.key, focused), *self._slide(row.runs, max(0, width - 1)))
-            for row in self._table.rows[self._top : self._top + rows]
-        ]
+        lines = list(self._rows(max(0, width - 1), rows, focused))
+        self._places = [place for place, _ in lines]
+        shown = [line for _, line in lines]
         if not shown:
             shown = [cut([NO_MARK, (self._table.empty, StyleRole.DIM)], width)]
         blank = [((" " * width, StyleRole.TEXT),)] * (rows - len(shown))
         return [self._title(width, rows, focused), *head, *shown, *blank][:height]
+
+    def _rows(self, cells: int, height: int, focused: bool) -> Iterator[tuple[int, tuple[Run, ...]]]:
+        """Yield the lines of the rows in view, each with the place of its row. While lines are free, a long
+        row goes on in the next ones."""
+        free = height - len(self._table.rows)
+        for place, row in enumerate(self._table.rows[self._top : self._top + height], self._top):
+            lines = continued(row, cells) if free > 0 and not self._slid else []
+            first, *rest = lines if 1 < len(lines) <= free + 1 else [row.runs]
+            free -= len(rest)
+            yield place, (self._sign(row.key, focused), *self._slide(first, cells))
+            yield from ((place, (NO_MARK, *cut(line, cells))) for line in rest)
 
     def _sign(self, key: Hashable, focused: bool) -> Run:
         """Return the first cell of a row: with the cursor, marked, both or neither."""
@@ -126,7 +139,7 @@ class Listing:
         ]
         if self.marks:
             title.insert(1, (tr(" {marks} marked", marks=len(self.marks)), StyleRole.KEY))
-        if len(self._table.rows) > rows and self.cursor is not None and not self._table.title_buttons:
+        if len(self._table.rows) > rows and self.cursor is not None:
             seen = tr(
                 "{first}-{last} of {rows}",
                 first=self._top + 1,
@@ -135,7 +148,7 @@ class Listing:
             )
             if self._table.has_groups:  # else the heads would read as robots
                 seen = tr("rows {seen}", seen=seen)
-            title.append((f"  {seen}", StyleRole.DIM))
+            title = _with_seen(title, seen, bool(self._table.title_buttons))
         rule = StyleRole.ACCENT if focused else StyleRole.RULE
         runs = [("─ ", rule), *title, (" ", rule)]
         return cut([*runs, ("─" * (width - width_of(runs)), rule)], width)
@@ -145,22 +158,27 @@ class Listing:
         if not self._slid:
             return cut(row, width)
         left = max(0, min(self._slid, width_of(row) - width))
-        stays = self._table.stays if self._table.stays <= width // 2 else 0
+        stays = self._stays(width)
         runs: list[Run] = []
         for text, role in row:
-            kept = min(stays, len(text))
-            gone = min(left, len(text) - kept)
+            cells = cell_width(text)
+            kept = min(stays, cells)
+            gone = min(left, cells - kept)
             stays -= kept
             left -= gone
-            runs.append((text[:kept] + text[kept + gone :], role))
+            runs.append((without_cells(text, kept, gone), role))
         return cut(runs, width)
 
+    def _stays(self, width: int) -> int:
+        """Return the cells that do not slide, none if they are most of the row."""
+        return self._table.stays if self._table.stays <= width // 2 else 0
+
     def shows_row(self, y: int) -> bool:
-        return self._first <= y < self._first + len(self._table.rows) - self._top
+        return 0 <= y - self._first < len(self._places)
 
     def steps_to(self, y: int) -> int:
         """Return the number of rows from the cursor to the row of line `y`."""
-        return self._top + y - self._first - self._place
+        return self._places[y - self._first] - self._place
 
     def button_at(self, x: int, y: int) -> str:
         """Return the name of the button in cell (x, y), empty for no button: in the title, or in the
@@ -179,6 +197,16 @@ def _names(key: Hashable) -> list[str]:
     """Return what an operator may call a row: the name of its robot, and the number at its end."""
     name = str(key[0] if isinstance(key, tuple) else key).casefold()
     return [name, *re.findall("[0-9]+$", name)]
+
+
+def _with_seen(title: list[Run], seen: str, has_button: bool) -> list[Run]:
+    """Return a title with the rows in view, before a button at its end as far as it leaves cells for them."""
+    if not has_button:
+        return [*title, (f"  {seen}", StyleRole.DIM)]
+    *named, button = title
+    before = without_blanks(named, width_of(named))
+    free = width_of(named) - width_of(before)
+    return [*before, (f" {seen}".ljust(free), StyleRole.DIM), button] if free > len(seen) else title
 
 
 def _pressed(buttons: tuple[Button, ...], x: int) -> str:

@@ -134,12 +134,6 @@ def _age(state: FleetState, entry: Listed) -> Run:
     return f"{'' if is_exact else '> '}{age(state.now - at)}", StyleRole.DIM
 
 
-def _id(order: Order, cells: int) -> str:
-    """Return an order's id. Long ones differ at their end: `patrol.dispatch-12`."""
-    text = sanitize(f"#{order.id}")
-    return text if len(text) <= cells else f"#…{text[len(text) - cells + 2 :]}"
-
-
 def _title(
     robot: Robot,
     state: FleetState,
@@ -260,11 +254,12 @@ def queue_columns(
         ),
         Column(
             N_("id"),
-            lambda entry: (_id(entry[2], longest), StyleRole.DIM),
+            lambda entry: (f"#{entry[2].id}", StyleRole.DIM),
             ids,
             "",
             text=lambda entry: entry[2].id,
             stays=True,
+            ends_differ=True,
         ),
         Column(
             N_("position"),

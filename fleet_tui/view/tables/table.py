@@ -9,6 +9,9 @@ from fleet_tui.text.sanitize import cell_width, fit_words, folded
 from fleet_tui.view.roles import StyleRole
 
 Run = tuple[str, StyleRole]
+INDENT = 2
+LEAST = 10
+"""Cells before the rest of a row in the line below, and of such a line, at least."""
 
 
 class Button(Struct, frozen=True):
@@ -20,11 +23,14 @@ class Button(Struct, frozen=True):
 
 
 class Row(Struct, frozen=True):
-    """One row. `key` identifies it, so that the cursor stays with it when rows move."""
+    """One row. `key` identifies it, so that the cursor stays with it when rows move. A long one may go on
+    below from its run `start` on, before which so many blanks were left out."""
 
     key: Hashable
     runs: tuple[Run, ...]
     buttons: tuple[Button, ...] = ()
+    start: int = 0
+    blanks: int = 0
 
 
 class LateRows(Sequence[Row]):
@@ -92,15 +98,38 @@ def cut(runs: Iterable[Run], cells: int) -> tuple[Run, ...]:
     return tuple(result)
 
 
-def folded_runs(runs: Sequence[Run], first: int, others: int) -> list[list[Run]]:
-    """Return runs as lines, at least one, of which the first has other cells than those below it."""
-    text = "".join(part for part, _ in runs)
-    lines, start = [], 0
-    for line in folded(text, first, others):
-        start = text.index(line, start)
-        end = start + len(line)
-        lines.append(list(_between(runs, start, end)))
-        start = end
+def without_blanks(runs: list[Run], cells: int) -> list[Run]:
+    """Return runs without so many of the blank cells at their end, as far as there are, but for one: what
+    follows would be cut beside them."""
+    kept, text = list(runs), "".join(part for part, _ in runs)
+    left = min(cells, len(text) - len(text.rstrip()) - 1)
+    while left > 0:
+        text, role = kept.pop()
+        gone = min(left, len(text) - len(text.rstrip()))
+        left -= gone
+        if gone < len(text):
+            kept.append((text[: len(text) - gone], role))
+    return kept
+
+
+def continued(row: Row, cells: int, aligned: bool = True) -> list[list[Run]]:
+    """Return a row as lines of so many cells, those below `aligned` with its last column if that does not
+    begin too late."""
+    rest = row.runs[row.start :]
+    text = "".join(part for part, _ in rest)
+    at = len(text) - len(text.lstrip())
+    head = [*row.runs[: row.start], (" " * (row.blanks + at), StyleRole.TEXT)]
+    begin = width_of(head)
+    if begin + cell_width(text[at:]) <= cells:
+        return [list(row.runs)]
+    is_late = not aligned or begin > cells // 2
+    below = INDENT if is_late else begin + INDENT * (row.start == 0)
+    lines = []
+    for line in folded(text[at:], max(LEAST, cells - begin), max(LEAST, cells - below)):
+        at = text.index(line, at)
+        lines.append([*head, *_between(rest, at, at + len(line))])
+        at += len(line)
+        head = [(" " * below, StyleRole.TEXT)]
     return lines
 
 

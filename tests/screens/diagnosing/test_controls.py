@@ -59,10 +59,12 @@ async def test_enter_shows_the_whole_of_a_line_that_is_cut_and_hides_it_again(
     async with console(config_of(server.url, 2, 2), (80, 24)) as it:
         await open_page(it, 4, "Robot log")
         await listens(it, server)
+        for n in range(20):  # while lines are free it goes on in the next one
+            say(server, 2, f"line {n}")
         say(server, 8, message)
         await it.shows("no plan", "diagnostics-rows")
         assert "the end." not in pane(it)
-        await it.press("enter")
+        await it.press("enter", "pagedown")
         await it.shows("the end.", "diagnostics-rows")
         say(server, 2, "news")
         await it.shows("news", "diagnostics-rows")

@@ -202,6 +202,7 @@ def test_the_second_line_of_an_alarm_is_no_alarm() -> None:
     assert len(table.rows) > 1 and text_of(table.title).endswith(": 1")
     listing = Listing()
     listing.show(table)
+    listing.lines(41, 9, True)
     assert listing.move(1) and listing.cursor == (LINK, "link") and not listing.steps_to(1)
 
 

@@ -116,3 +116,17 @@ def test_no_width_is_too_small(width: int) -> None:
     listing = Listing()
     listing.show(table(width))
     assert all(cell_width(text_of(line)) == width for line in listing.lines(width, 5, False))
+
+
+def test_a_row_that_goes_on_below_keeps_its_columns() -> None:
+    listing = Listing()
+    items: list[Item] = [("r_2", 7, "waits at the lift"), ("robot_1", 12, "drives")]
+    listing.show(table_of((), COLUMNS, items, lambda item: item[0], 22))
+    assert [text_of(line).rstrip() for line in listing.lines(23, 4, True)][2] == "▸r_2 waits at the lift!"
+    assert [text_of(line).rstrip() for line in listing.lines(23, 6, True)][1:] == [
+        " Name    Note",
+        "▸r_2     waits at the",
+        "         lift!",
+        " robot_1 drives!",
+        "",
+    ]

@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.listing import CURSOR, Listing
-from fleet_tui.view.tables.table import Button, Row, Table, width_of
+from fleet_tui.view.tables.table import Button, Row, Run, Table, width_of
 from tests.support.fleets import text_of
 
 
@@ -111,3 +111,27 @@ def test_columns_have_heads_in_a_pane_that_has_lines_for_them() -> None:
     for shown, height, has_head in ((few, 4, True), (few, 3, False), (many, 4, False), (many, 5, True)):
         listing.show(shown)
         assert lines(listing, height)[1].endswith("Name") is has_head
+
+
+def test_a_long_row_goes_on_below_while_lines_are_free_and_a_click_there_means_it() -> None:
+    listing = Listing()
+    listing.show(table("a", "b"))
+    first, rest = " ".join(["row a"] * 5), " ".join(["row a"] * 3)
+    assert lines(listing, 3, 31)[1].endswith("…")
+    shown = [f"▸{first}", f"   {rest}", f" {first}".replace("a", "b"), f"   {rest}".replace("a", "b")]
+    assert lines(listing, 6, 31)[1:5] == shown
+    assert [listing.steps_to(y) for y in (1, 2, 3, 4)] == [0, 0, 1, 1] and not listing.shows_row(5)
+    assert lines(listing, 4, 31)[1:3] == shown[:2] and lines(listing, 4, 31)[3].endswith("…")
+    listing.slide(1)
+    assert not any(lines(listing, 6, 31)[3:]), "one that slides needs no more lines"
+
+
+def test_the_rows_in_view_are_told_beside_a_button_of_the_title() -> None:
+    rows = [Row(n, ((f"row {n}", StyleRole.TEXT),)) for n in range(9)]
+    title: list[Run] = [("Rows", StyleRole.TITLE), (" " * 16, StyleRole.TEXT), ("[Clear]", StyleRole.KEY)]
+    listing = Listing()
+    listing.show(Table(tuple(title), rows, title_buttons=(Button(20, 27, "clear"),)))
+    assert lines(listing, 4, 40)[0].startswith("─ Rows  1-3 of 9      [Clear] ")
+    title[1] = " " * 9, StyleRole.TEXT
+    listing.show(Table(tuple(title), rows, title_buttons=(Button(13, 20, "clear"),)))
+    assert lines(listing, 4, 40)[0].startswith("─ Rows         [Clear] ")

@@ -51,8 +51,7 @@ def _text(line: LogLine) -> Run:
 def _wrapped(line: LogLine, width: int) -> Iterator[str]:
     """Yield the whole message in lines of at most `width` cells."""
     for part in line.text.splitlines():
-        cells = max(2, width - INDENT)
-        yield from folded(sanitize(part), cells, cells)
+        yield from folded(sanitize(part), width - INDENT, width - INDENT)
 
 
 def robot_log_table(
