@@ -17,7 +17,7 @@ from textual.pilot import Pilot
 from textual.screen import Screen
 
 from fleet_tui.app import FleetApp
-from fleet_tui.backend import LiveBackend, connect_live
+from fleet_tui.backend import Backend, LiveBackend, connect_live
 from fleet_tui.cli.session import missing
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
@@ -193,16 +193,28 @@ async def console(
     opening = partial(recorded, recordings, None) if recordings else connect_live
     backend, files = LiveBackend(config, store, opening), files or ConsoleFiles()
     files.recordings = recordings
-    themes, _ = load_themes(None)
-    app = FleetApp(config, store, themes, Drawing.BRAILLE, colour=colour, backend=backend, files=files)
+    app = console_app(config, store, backend, files, colour)
     async with AsyncExitStack() as stack:
         if recordings:
             stack.callback(recordings.close)
-        pilot = await stack.enter_async_context(app.run_test(size=size))
-        running = Console(app, store, pilot)
+        it = await stack.enter_async_context(running(app, store, size))
+        if wait:
+            await it.until(_ready)
+            await it.shows_a_label()
+        yield it
+
+
+def console_app(
+    config: Config, store: WatchedStore, backend: Backend, files: ConsoleFiles, colour: bool = True
+) -> FleetApp:
+    themes, _ = load_themes(None)
+    return FleetApp(config, store, themes, Drawing.BRAILLE, colour=colour, backend=backend, files=files)
+
+
+@asynccontextmanager
+async def running(app: FleetApp, store: WatchedStore, size: tuple[int, int]) -> AsyncIterator[Console]:
+    async with app.run_test(size=size) as pilot:
+        it = Console(app, store, pilot)
         _paints_nothing(app.main)
         app.keys.clock = lambda: 0.0  # keys come at times of their own, which no busy machine delays
-        if wait:
-            await running.until(_ready)
-            await running.shows_a_label()
-        yield running
+        yield it
