@@ -28,7 +28,10 @@ from fleet_tui.model.link import CommandPath
 from fleet_tui.recording.recordings import Recordings
 from fleet_tui.themes import load_themes
 from fleet_tui.view.map.drawing import Drawing
+from tests.support.polling import HANGS
 from tests.support.watched_store import WatchedStore
+
+LOOK_EVERY = 0.05
 
 
 class Console:
@@ -139,14 +142,19 @@ class Console:
         await self.sees(lambda: any(label in self.pane("map") for label in labels), "a label on the map")
 
     async def sees(self, holds: Callable[[], bool], what: str) -> None:
-        def look(_state: FleetState) -> bool:
-            self.app.main.tick()
-            return holds()
+        """Wait until it is seen: a look is a whole picture, and of what comes at one moment one is enough."""
+        ends = time.monotonic() + HANGS
+        while not self._sees(holds):
+            if time.monotonic() > ends:
+                raise AssertionError(f"never seen: {what}\n{self.text}")
+            await asyncio.sleep(LOOK_EVERY)
 
+    def _sees(self, holds: Callable[[], bool]) -> bool:
+        self.app.main.tick()
         try:
-            await self.store.until(look)
-        except TimeoutError:
-            raise AssertionError(f"never seen: {what}\n{self.text}") from None
+            return holds()
+        except (LookupError, StopIteration):  # what is asked about is not there yet
+            return False
 
 
 def _waits(pump: MessagePump) -> bool:
