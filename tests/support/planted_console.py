@@ -15,7 +15,7 @@ from fleet_tui.model.link import CommandPath
 from fleet_tui.text.language import Message
 from tests.support.console_pilot import Console, console_app, running
 from tests.support.desk import CollectingBackend
-from tests.support.fleets import LINK, link_lost
+from tests.support.fleets import LINK, link_lost, link_up
 from tests.support.planted_fleet import STEP, Planted
 from tests.support.watched_store import WatchedStore, config_of
 
@@ -65,6 +65,11 @@ class PlantedConsole(Console):
         """Hear nothing any more, and know why."""
         self.fleet.deaf = True
         self.fleet.tell(link_lost(self.fleet.now, next_try=self.fleet.now + 9.0))
+
+    def find_link(self) -> None:
+        """Hear the fleet, and reach it, from now on."""
+        self.fleet.deaf = False
+        self.fleet.tell(link_up(self.fleet.now), CommandPathChanged(LINK, CommandPath.ALIVE, connected=True))
 
 
 async def _live(fleet: Planted) -> None:
