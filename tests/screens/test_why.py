@@ -7,6 +7,7 @@ import pytest
 from msgspec.structs import replace
 from textual.widgets import Input
 
+from fleet_tui.model.commands import ResumeRobot
 from fleet_tui.rules.why.reason import Reason
 from fleet_tui.screens.confirm import Confirm
 from fleet_tui.screens.ordering.form import OrderForm
@@ -38,9 +39,7 @@ async def test_it_names_the_cause_and_its_key_does_the_fix(size: tuple[int, int]
         await it.shows("r resume")
         await it.press("r")
         await it.shows("▶ 1. no orders")
-        assert [service for service, _ in it.fleet.server.bridge.services.calls] == [
-            "/robot_0/Application_layout/Resume"
-        ]
+        assert it.sent == [ResumeRobot("robot_0")]
         await it.press("escape")
         await it.hides("Why: robot_0")
 

@@ -5,7 +5,7 @@ import time
 import unicodedata
 from collections.abc import AsyncIterator, Callable, Iterable
 from contextlib import AsyncExitStack, asynccontextmanager
-from functools import partial
+from functools import cache, partial
 from pathlib import Path
 from typing import Any
 
@@ -26,7 +26,7 @@ from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath
 from fleet_tui.recording.recordings import Recordings
-from fleet_tui.themes import load_themes
+from fleet_tui.themes import FleetTheme, load_themes
 from fleet_tui.view.map.drawing import Drawing
 from tests.support.polling import HANGS
 from tests.support.watched_store import WatchedStore
@@ -212,11 +212,15 @@ async def console(
         yield it
 
 
+@cache
+def _themes() -> dict[str, FleetTheme]:
+    return load_themes(None)[0]
+
+
 def console_app(
     config: Config, store: WatchedStore, backend: Backend, files: ConsoleFiles, colour: bool = True
 ) -> FleetApp:
-    themes, _ = load_themes(None)
-    return FleetApp(config, store, themes, Drawing.BRAILLE, colour=colour, backend=backend, files=files)
+    return FleetApp(config, store, _themes(), Drawing.BRAILLE, colour=colour, backend=backend, files=files)
 
 
 @asynccontextmanager

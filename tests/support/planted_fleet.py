@@ -52,7 +52,7 @@ class Planted:
         self.store = store or Store(initial_state(config, at))
         self._adapters = adapters_of(config)
         self._wanted = {one.address: one for one in feeds_of(config, self._adapters, LINK)}
-        self._topics = [one for one in topics_of(self.world, wall) if one.name in self._wanted]
+        self._topics = [one for one in topics_of(self.world, WALL) if one.name in self._wanted]
         self._ids = count(1)
         self._steps = count()
         self._unanswered = list[tuple[int, Command]]()

@@ -1,6 +1,7 @@
 """Fields of the order form: what a field means."""
 
 from tests.support.fleets import place_order
+from tests.support.ordering import order
 from tests.support.planted_console import planted
 
 
@@ -15,7 +16,7 @@ async def test_another_robot_in_the_form() -> None:
         await it.type("Cons")
         await it.press("enter")
         await it.until(lambda state: state.commands and state.commands[-1].is_decided)
-        assert it.fleet.server.bridge.services.calls[-1][0].startswith("/robot_1/")
+        assert it.sent == [order(it, "Base", "Consumidores", robot="robot_1")]
 
 
 async def test_the_same_label_on_two_floors_stays_what_was_picked() -> None:
