@@ -96,9 +96,9 @@ async def test_the_palette_does_what_a_key_would() -> None:
 
 async def test_themes_change_at_once() -> None:
     async with planted() as it:
-        before = it.app.main.features.map._styles
+        title = it.app.main.features.map.render_line(0)
         it.app.main.settings.themes["light"]()
-        assert it.app.main.features.map._styles != before
+        assert it.app.main.features.map.render_line(0) != title
         assert it.app.theme == "fleet-light"
 
 

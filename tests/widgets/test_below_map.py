@@ -47,6 +47,5 @@ async def test_a_large_screen_shows_what_the_robots_did_below_a_map_without_othe
 async def test_small_maps_in_its_place_and_small_screens_have_none() -> None:
     for robots, size in ((30, LARGE), (2, (120, 40)), (2, (80, 24))):
         async with planted(robots, 2, size) as it:
-            await it.until(lambda _: it.app.main.is_complete)
             await it.shows("Fleet")
             await it.until(lambda _: not it.app.main.query_one("#activity").size.height)

@@ -65,13 +65,11 @@ async def test_a_dialog_about_the_map_has_one_place_and_moves_nothing(size: tupl
 
 async def test_thirty_robots_have_twenty_four_rows_or_more() -> None:
     async with planted(30, 1, (120, 40)) as it:
-        await it.until(lambda _: it.app.main.is_complete)
         assert heights(it)["fleet"] >= 24 + 2
 
 
 async def test_the_focused_pane_takes_the_column_and_gives_it_back() -> None:
     async with planted(12, 1, (120, 40)) as it:
-        await it.until(lambda _: it.app.main.is_complete)
         await it.until(lambda _: heights(it) == BESIDE)
         await it.press("tab", "=")
         await it.until(lambda _: heights(it) == {"map": 37, "fleet": 37})
@@ -86,7 +84,6 @@ async def test_the_focused_pane_takes_the_column_and_gives_it_back() -> None:
 
 async def test_a_screen_without_a_map_has_as_many_robots_as_fit() -> None:
     async with planted(12, 1, (60, 15)) as it:
-        await it.until(lambda _: it.app.main.is_complete)
         assert heights(it) == {"fleet": 10, "alarms": 2}
         await it.press("tab", "=")
         await it.until(lambda _: heights(it) == {"fleet": 12})
@@ -96,13 +93,11 @@ async def test_a_screen_without_a_map_has_as_many_robots_as_fit() -> None:
 
 async def test_the_simple_interface_shows_its_four_buttons() -> None:
     async with planted(12, 1, (80, 24)) as it:
-        await it.until(lambda _: it.app.main.is_complete)
         await it.press("s")
         await it.until(
             lambda _: heights(it) == {"simple": 13, "map": 13, "fleet": 5, "alarms": 3, "queue": 3}
         )
     async with planted(12, 1, (80, 16)) as it:
-        await it.until(lambda _: it.app.main.is_complete)
         await it.press("s")
         await it.until(lambda _: heights(it) == {"simple": 6, "fleet": 4, "alarms": 3, "queue": 3})
         assert it.app.main.query_one("#simple-send").region.bottom <= 8
@@ -110,7 +105,6 @@ async def test_the_simple_interface_shows_its_four_buttons() -> None:
 
 async def test_an_enlarged_pane_leaves_the_simple_interface_in_place() -> None:
     async with planted(12, 1, (120, 40)) as it:
-        await it.until(lambda _: it.app.main.is_complete)
         await it.press("s")
         it.app.main.fleet.focus()
         await it.press("=")
@@ -119,7 +113,6 @@ async def test_an_enlarged_pane_leaves_the_simple_interface_in_place() -> None:
 
 async def test_an_enlarged_pane_gives_way_to_the_order_form_and_its_map() -> None:
     async with planted(12, 1, (80, 24)) as it:
-        await it.until(lambda _: it.app.main.is_complete)
         await it.press("tab", "=")
         await it.until(lambda _: heights(it) == {"fleet": 21})
         await it.press("o")

@@ -17,7 +17,6 @@ async def test_a_large_screen_shows_the_other_floor_and_a_click_goes_there() -> 
 
 async def test_below_the_map_of_a_large_fleet_the_other_floor_is_beside_the_last_events() -> None:
     async with planted(30, 2, LARGE) as it:
-        await it.until(lambda _: it.app.main.is_complete)
         await it.shows("─ floor_1 ── 15 robots ─", "other-floors-below")
         below, recent = (it.app.main.query_one(name) for name in ("#other-floors-below", "#recent"))
         assert below.size.height == recent.size.height >= 14 and recent.region.right <= below.region.x

@@ -17,7 +17,6 @@ def rows(it: Console) -> list[str]:
 
 async def test_the_table_follows_each_letter_and_enter_goes_to_what_it_found() -> None:
     async with planted(12) as it:
-        await it.until(lambda _: it.app.main.is_complete)
         await it.press("/")
         await it.shows(" Fleet /")
         await it.type("1")
@@ -33,7 +32,6 @@ async def test_the_table_follows_each_letter_and_enter_goes_to_what_it_found() -
 
 async def test_typed_and_entered_in_one_packet_it_goes_to_the_exact_number() -> None:
     async with planted(12) as it:
-        await it.until(lambda _: it.app.main.is_complete)
         for key in ("/", "1", "enter"):
             it.send(key)
         await it.until(lambda _: it.app.main.navigation.robot == "robot_1")
@@ -41,7 +39,6 @@ async def test_typed_and_entered_in_one_packet_it_goes_to_the_exact_number() -> 
 
 async def test_escape_clears_it_and_returns_to_where_one_was() -> None:
     async with planted(3) as it:
-        await it.until(lambda _: it.app.main.is_complete)
         await it.press("/")
         await it.type("nobody")
         await it.shows("nothing matches the filter")
@@ -59,7 +56,6 @@ async def test_the_focused_table_is_filtered() -> None:
 
 async def test_nothing_is_prepared_once_it_is_left() -> None:
     async with planted(3) as it:
-        await it.until(lambda _: it.app.main.is_complete)
         for key in ("enter", "escape"):
             await it.press("/")
             assert it.app.main.fleet.arrangement.is_typing
@@ -69,7 +65,6 @@ async def test_nothing_is_prepared_once_it_is_left() -> None:
 
 async def test_a_filter_that_found_nobody_leaves_the_cursor_on_the_selected_robot() -> None:
     async with planted(3) as it:
-        await it.until(lambda _: it.app.main.is_complete)
         await it.press("tab", "down", "down")
         assert it.app.main.navigation.robot == "robot_2"
         for keys in (("enter", "escape"), ("escape",)):
@@ -81,7 +76,6 @@ async def test_a_filter_that_found_nobody_leaves_the_cursor_on_the_selected_robo
 
 async def test_a_tick_waits_for_a_letter_but_not_for_long(monkeypatch: pytest.MonkeyPatch) -> None:
     async with planted(3) as it:
-        await it.until(lambda _: it.app.main.is_complete)
         line = it.app.main.features.tables.filter_line
         assert not line.goes_first
         await it.press("/")
