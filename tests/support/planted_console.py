@@ -4,7 +4,7 @@ import asyncio
 import json
 import time
 from collections.abc import AsyncIterator
-from contextlib import asynccontextmanager
+from contextlib import asynccontextmanager, suppress
 
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
@@ -106,6 +106,8 @@ async def planted(
         yield it
         await it.settled()
         life.cancel()
+        with suppress(asyncio.CancelledError):
+            await life
 
 
 @asynccontextmanager

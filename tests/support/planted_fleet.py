@@ -1,6 +1,7 @@
 """A simulated fleet with planted faults, as the console would hear it: no wire, no clock."""
 
 import json
+import threading
 from collections.abc import Callable
 from itertools import count
 
@@ -56,6 +57,8 @@ class Planted:
         self._ids = count(1)
         self._steps = count()
         self._unanswered = list[tuple[int, Command]]()
+        self._changing = threading.RLock()
+        """Commands may come from any thread."""
         self.now, self._wall = at, wall
         self.tell(link_up(at))
         self.deaf = False
@@ -74,8 +77,9 @@ class Planted:
         return self.state.robots[R0]
 
     def tell(self, *facts: Event) -> None:
-        for fact in facts:
-            self.store.apply(fact)
+        with self._changing:
+            for fact in facts:
+                self.store.apply(fact)
 
     def plant(self, faults: str) -> None:
         play(self.server, parse_faults(faults, self.world.robots))
@@ -112,16 +116,18 @@ class Planted:
     def give(self, *commands: Command) -> None:
         """Given by the operator, and on their way to the robots."""
         given = [(next(self._ids), command) for command in commands]
-        with self.store.together():
-            for id_, command in given:
-                self.tell(CommandIssued(id_, command, self.now, self._wall + self.now))
-        for id_, _ in given:
-            self.tell(CommandAdvanced(id_, Stage.SENT, self.now))
-        self._unanswered += given
+        with self._changing:
+            with self.store.together():
+                for id_, command in given:
+                    self.tell(CommandIssued(id_, command, self.now, self._wall + self.now))
+            for id_, _ in given:
+                self.tell(CommandAdvanced(id_, Stage.SENT, self.now))
+            self._unanswered += given
 
     def answer(self) -> None:
         """Let the simulator answer what has been given."""
-        given, self._unanswered = self._unanswered, []
+        with self._changing:
+            given, self._unanswered = self._unanswered, []
         for id_, command in given:
             adapter = self._adapters[command.robot]
             for call in adapter.outgoing(command, id_, self.state.robots[command.robot]):
