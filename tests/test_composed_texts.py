@@ -12,12 +12,10 @@ from fleet_tui.model.programs.program import NOT_CONFIRMED, ChangeOutcome
 from fleet_tui.rules.alarms.facilities import facility_text
 from fleet_tui.rules.commands.batches import summary
 from fleet_tui.rules.why.reason import mission
-from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.text.language import Message, translate
 from fleet_tui.view.history.events import EventKind, PastEvent
-from tests.support.console_pilot import console
 from tests.support.fleets import T0, commanded, fleet, reduced
-from tests.support.watched_store import config_of
+from tests.support.planted_console import planted
 
 
 @pytest.fixture(autouse=True)
@@ -57,8 +55,8 @@ def test_a_facility_with_its_state() -> None:
     assert translate(facility_text(fleet(1), lift)) == "Aufzug north: Brandbetrieb, benutzt von tiny/t1"
 
 
-async def test_a_question(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 2)) as it:
+async def test_a_question() -> None:
+    async with planted(2) as it:
         it.app.main.features.confirm.ask(lambda: Message("Send?"), lambda: None)
         await it.shows("Senden?")
 

@@ -18,17 +18,16 @@ from fleet_tui.controllers.files import READ_ONLY
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.storage.line_file import LineFile
 from tests.support.console_pilot import Console, console
+from tests.support.planted_console import SITE, PlantedConsole, planted
 from tests.support.records import record
 from tests.support.watched_store import config_of
 
 
 @asynccontextmanager
-async def audited(
-    server: RosbridgeServer, folder: Path, size: tuple[int, int] = (120, 40)
-) -> AsyncIterator[Console]:
+async def audited(folder: Path, size: tuple[int, int] = (120, 40)) -> AsyncIterator[PlantedConsole]:
     """A console that keeps its log in a folder."""
-    config = config_of(server.url, 2)
-    async with console(config, size) as it:
+    config = config_of(SITE, 2)
+    async with planted(config=config, size=size) as it:
         with auditing(folder, config, it.store) as it.app.main.files.audit:
             yield it
 
@@ -54,8 +53,8 @@ async def open_log(it: Console, wait_for: str = "Audit log") -> None:
     await it.shows(wait_for)
 
 
-async def test_a_command_and_its_steps_are_found_again(server: RosbridgeServer, tmp_path: Path) -> None:
-    async with audited(server, tmp_path) as it:
+async def test_a_command_and_its_steps_are_found_again(tmp_path: Path) -> None:
+    async with audited(tmp_path) as it:
         await it.press("p")
         await it.shows("robot_0 pause: confirmed")
         await it.press("r")
@@ -74,20 +73,16 @@ async def test_a_command_and_its_steps_are_found_again(server: RosbridgeServer, 
         await it.hides("Audit log")
 
 
-async def test_what_is_typed_right_after_the_key_belongs_to_the_field(
-    server: RosbridgeServer, tmp_path: Path
-) -> None:
+async def test_what_is_typed_right_after_the_key_belongs_to_the_field(tmp_path: Path) -> None:
     """`p`, `x`, `P` in a search must not pause or cancel."""
-    async with audited(server, tmp_path) as it:
+    async with audited(tmp_path) as it:
         await it.press("L", "p", "x", "P")
         await it.shows("no matching record")
-        assert field(it) == "pxP" and server.bridge.services.calls == []
+        assert field(it) == "pxP" and it.sent == []
 
 
-async def test_from_the_palette_at_80_by_24_with_the_marked_record_in_full(
-    server: RosbridgeServer, tmp_path: Path
-) -> None:
-    async with audited(server, tmp_path, (80, 24)) as it:
+async def test_from_the_palette_at_80_by_24_with_the_marked_record_in_full(tmp_path: Path) -> None:
+    async with audited(tmp_path, (80, 24)) as it:
         await it.press("p")
         await it.shows("confirmed")
         await it.press(":")
@@ -100,8 +95,8 @@ async def test_from_the_palette_at_80_by_24_with_the_marked_record_in_full(
         assert "robot_0" in it.text.splitlines()[0]
 
 
-async def test_what_matches_goes_to_a_new_file_for_its_owner(server: RosbridgeServer, tmp_path: Path) -> None:
-    async with audited(server, tmp_path) as it:
+async def test_what_matches_goes_to_a_new_file_for_its_owner(tmp_path: Path) -> None:
+    async with audited(tmp_path) as it:
         await it.press("p", "P")
         await it.shows("pause all: 2 confirmed")
         await open_log(it, "robot_1 pause: confirmed")
@@ -115,9 +110,9 @@ async def test_what_matches_goes_to_a_new_file_for_its_owner(server: RosbridgeSe
 
 
 async def test_after_tab_its_rows_are_sorted_and_copied_like_those_of_every_table(
-    server: RosbridgeServer, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    async with audited(server, tmp_path) as it:
+    async with audited(tmp_path) as it:
         sent: list[str] = []
         monkeypatch.setattr(it.app._driver, "write", sent.append)
         await it.press("p")
@@ -134,8 +129,8 @@ async def test_after_tab_its_rows_are_sorted_and_copied_like_those_of_every_tabl
         assert field(it) == "zS"
 
 
-async def test_a_read_only_console_exports_nothing(server: RosbridgeServer, tmp_path: Path) -> None:
-    async with audited(server, tmp_path) as it:
+async def test_a_read_only_console_exports_nothing(tmp_path: Path) -> None:
+    async with audited(tmp_path) as it:
         it.app.main.files.refusal = READ_ONLY
         await open_log(it, "console: opened")
         await it.press("ctrl+s")
@@ -143,32 +138,28 @@ async def test_a_read_only_console_exports_nothing(server: RosbridgeServer, tmp_
     assert not has_exports(tmp_path)
 
 
-async def test_a_time_that_is_none_is_answered_in_place_of_the_list(
-    server: RosbridgeServer, tmp_path: Path
-) -> None:
-    async with audited(server, tmp_path) as it:
+async def test_a_time_that_is_none_is_answered_in_place_of_the_list(tmp_path: Path) -> None:
+    async with audited(tmp_path) as it:
         await open_log(it, "console: opened")
         await it.type("since:2x")
         await it.shows("'2x' is not a time: use 30m, 2h")
 
 
-async def test_hostile_records_and_foreign_lines_do_not_act_on_the_screen(
-    server: RosbridgeServer, tmp_path: Path
-) -> None:
+async def test_hostile_records_and_foreign_lines_do_not_act_on_the_screen(tmp_path: Path) -> None:
     odd = encode(record("\x1b[2J\u202e[red]x", change="refused"))
     (tmp_path / FILE_NAME).write_bytes(b"rubbish\n" + odd + odd[:50])
-    async with audited(server, tmp_path) as it:
+    async with audited(tmp_path) as it:
         await open_log(it, "refused (␛[2J\ufffd[red]x)")
         await it.shows("2 unreadable lines")
 
 
-async def test_the_console_without_a_log_says_so(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url)) as it:
+async def test_the_console_without_a_log_says_so() -> None:
+    async with planted() as it:
         await open_log(it, "no audit log")
 
 
 async def test_a_full_disk_stands_on_the_screen_and_dispatch_goes_on(
-    server: RosbridgeServer, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     log = tmp_path / FILE_NAME
 
@@ -177,7 +168,7 @@ async def test_a_full_disk_stands_on_the_screen_and_dispatch_goes_on(
 
     append = LineFile.append
     monkeypatch.setattr(LineFile, "append", full)
-    async with audited(server, tmp_path) as it:
+    async with audited(tmp_path) as it:
         await it.press("p")
         await it.shows("robot_0 pause: confirmed")
         await it.shows("audit: not written: No space left on device")
@@ -198,14 +189,16 @@ async def test_a_command_is_in_the_log_before_it_is_on_the_wire(
         return answer(*args, **more)
 
     monkeypatch.setattr(server.world, "answer", look)
-    async with audited(server, tmp_path) as it:
-        await it.press("p")
-        await it.shows("robot_0 pause: confirmed")
+    config = config_of(server.url, 2)
+    async with console(config) as it:
+        with auditing(tmp_path, config, it.store) as it.app.main.files.audit:
+            await it.press("p")
+            await it.shows("robot_0 pause: confirmed")
     assert len(seen) == 1 and "checked" in seen[0]
 
 
-async def test_who_commands_stands_in_the_status_line(server: RosbridgeServer, tmp_path: Path) -> None:
-    async with audited(server, tmp_path) as it:
+async def test_who_commands_stands_in_the_status_line(tmp_path: Path) -> None:
+    async with audited(tmp_path) as it:
         audit = it.app.main.files.audit
         assert audit is not None
         await it.shows(f"{audit.origin.operator}  {datetime.now():%H:}")

@@ -3,19 +3,19 @@
 from msgspec.structs import replace
 
 from fleet_tui.config.schema import Alarms
+from fleet_tui.model.commands import CancelOrder, ClearOrders, PauseRobot
 from fleet_tui.model.events import BatteryReported, QueueReported
 from fleet_tui.model.order import OrderQueue
 from fleet_tui.screens.confirm import Confirm
 from fleet_tui.screens.ordering.form import OrderForm
-from fleet_tui.simulator.server import RosbridgeServer
-from tests.support.console_pilot import console
 from tests.support.console_trips import trips
-from tests.support.ordering import one_packet, place, sent
+from tests.support.ordering import one_packet, place
+from tests.support.planted_console import SITE, planted
 from tests.support.watched_store import config_of
 
 
-async def test_a_cancel_asks_and_only_y_does_it(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1)) as it:
+async def test_a_cancel_asks_and_only_y_does_it() -> None:
+    async with planted() as it:
         await place(it)
         await it.shows("Base -> Consumidores", "queue")
         for answer in ("n", "escape", "enter", "x", "q"):
@@ -24,27 +24,27 @@ async def test_a_cancel_asks_and_only_y_does_it(server: RosbridgeServer) -> None
             await it.press(answer)
             await it.press("escape")
             await it.hides("Cancel order 1")
-            assert len(server.bridge.services.calls) == 1, answer
+            assert len(it.sent) == 1, answer
         await it.press("x", "y")
         await it.until(lambda state: not state.robots["robot_0"].orders.orders)
-        assert sent(server)[-1] == ("Cancel_order", {"robot": "robot_0", "ind": 1})
+        assert it.sent[-1] == CancelOrder("robot_0", "1")
 
 
-async def test_a_question_closes_once_there_is_nothing_to_ask(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1)) as it:
+async def test_a_question_closes_once_there_is_nothing_to_ask() -> None:
+    async with planted() as it:
         await place(it)
         await it.shows("Base -> Consumidores", "queue")
         await it.press("x")
         await it.shows("Cancel order 1 of robot_0?")
-        server.world.robots["robot_0"].drop({1})
+        it.fleet.world.robots["robot_0"].drop({1})
         await it.hides("Cancel order 1 of robot_0?")
         await it.shows("not sent: ", "message")
         await it.press("y")
-        assert len(server.bridge.services.calls) == 1
+        assert len(it.sent) == 1
 
 
-async def test_cancel_and_clear_by_mouse(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1)) as it:
+async def test_cancel_and_clear_by_mouse() -> None:
+    async with planted() as it:
         await place(it)
         await it.shows("[Cancel]", "queue")
         await it.shows("[Clear all]", "queue")
@@ -57,11 +57,11 @@ async def test_cancel_and_clear_by_mouse(server: RosbridgeServer) -> None:
         await it.shows("Clear all 1 order of robot_0?")
         await it.pilot.click("#yes")
         await it.until(lambda state: not state.robots["robot_0"].orders.orders)
-        assert sent(server)[-1] == ("Clear_orders", {"robot": "robot_0", "ind": 0})
+        assert it.sent[-1] == ClearOrders("robot_0")
 
 
-async def test_a_click_beside_a_question_is_no(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1)) as it:
+async def test_a_click_beside_a_question_is_no() -> None:
+    async with planted() as it:
         await place(it)
         await it.shows("Base -> Consumidores", "queue")
         await it.press("X")
@@ -69,11 +69,11 @@ async def test_a_click_beside_a_question_is_no(server: RosbridgeServer) -> None:
         await it.pilot.click("#fleet", offset=(5, 1))
         await it.hides("Clear all 1 order")
         await it.press("y")
-        assert len(server.bridge.services.calls) == 1
+        assert len(it.sent) == 1
 
 
-async def test_a_warning_is_asked_and_only_y_sends(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1)) as it:
+async def test_a_warning_is_asked_and_only_y_sends() -> None:
+    async with planted() as it:
         await it.press("p")
         await it.until(lambda state: (paused := state.robots["robot_0"].paused) and paused.value)
         for answer in ("enter", "escape", "n"):
@@ -86,21 +86,18 @@ async def test_a_warning_is_asked_and_only_y_sends(server: RosbridgeServer) -> N
             await it.shows("robot_0 is paused: send anyway?")
             await it.press(answer, "escape")
             assert not it.app.main.query_one(OrderForm).is_open
-        assert sent(server) == [("Pause", {})]
+        assert it.sent == [PauseRobot("robot_0")]
         await place(it)
         await it.shows("robot_0 is paused: send anyway?")
         await it.press("y")
-        await it.until(lambda _: len(server.bridge.services.calls) == 2)
+        await it.until(lambda _: len(it.sent) == 2)
         assert not it.app.main.query_one(OrderForm).is_open
 
 
-async def test_a_question_says_what_is_true_while_it_waits(server: RosbridgeServer) -> None:
-    server.world.robots["robot_0"].silence = 600.0
+async def test_a_question_says_what_is_true_while_it_waits() -> None:
     # The other robot speaks: over a link that is silent for 2 s nothing is sent.
-    config = replace(config_of(server.url, 2), alarms=Alarms(offline_after=600.0, no_answer_after=600.0))
-    async with console(config, wait=False) as it:
-        await it.until(lambda state: state.links["rosbridge"].last_received)
-        await it.until(lambda state: state.robots["robot_0"].knows_all_graphs())
+    config = replace(config_of(SITE, 2), alarms=Alarms(offline_after=600.0, no_answer_after=600.0))
+    async with planted(config=config, faults="silent:robot_0") as it:
         one_packet(it, ":robot_0 Base > Store\r")
         await it.shows("robot_0 was never seen: send anyway?")
         it.store.apply(BatteryReported("robot_0", it.store.state.now, 50.0))
@@ -109,16 +106,16 @@ async def test_a_question_says_what_is_true_while_it_waits(server: RosbridgeServ
         await it.shows("Send?")
         assert it.app.main.query_one(Confirm).is_open
         await it.press("y")
-        await it.until(lambda _: trips(server, it) == ["Base -> Store"])
+        await it.until(lambda _: trips(it) == ["Base -> Store"])
 
 
-async def test_to_the_nearest_charger_asks_and_only_y_sends(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1)) as it:
+async def test_to_the_nearest_charger_asks_and_only_y_sends() -> None:
+    async with planted() as it:
         await it.press("C")
         await it.shows("Send?")
         await it.press("n")
         await it.hides("Send?")
-        assert not server.bridge.services.calls
+        assert it.sent == []
         await it.press("C", "y")
         state = await it.until(lambda state: state.robots["robot_0"].orders.orders)
         (order,) = state.robots["robot_0"].orders.orders

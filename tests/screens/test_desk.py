@@ -8,11 +8,10 @@ from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.desk.desk import SharedDesk
 from fleet_tui.model.desk.events import RobotClaimed
 from fleet_tui.model.history.facts import Note
-from fleet_tui.simulator.server import RosbridgeServer
-from tests.support.console_pilot import Console, console
+from tests.support.console_pilot import Console
 from tests.support.past import kept_history
+from tests.support.planted_console import planted
 from tests.support.shared_desk import at_desk
-from tests.support.watched_store import config_of
 
 
 def join(it: Console, folder: Path, files: ConsoleFiles) -> None:
@@ -24,11 +23,11 @@ def join(it: Console, folder: Path, files: ConsoleFiles) -> None:
     files.desk.start(links.post)
 
 
-async def test_a_claim_stands_in_the_row_and_is_asked_about(server: RosbridgeServer, tmp_path: Path) -> None:
+async def test_a_claim_stands_in_the_row_and_is_asked_about(tmp_path: Path) -> None:
     files = ConsoleFiles()
     with kept_history(tmp_path) as history, at_desk(tmp_path, "ben") as (ben,):
         files.history = history
-        async with console(config_of(server.url, 2), files=files) as it:
+        async with planted(2, files=files) as it:
             join(it, tmp_path, files)
             ben.post(RobotClaimed("robot_0"))
             await it.shows("claimed by ben", "fleet")
@@ -54,8 +53,8 @@ async def test_a_claim_stands_in_the_row_and_is_asked_about(server: RosbridgeSer
             files.desk.close()
 
 
-async def test_a_closed_edge_is_crossed_out_on_the_map(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1)) as it:
+async def test_a_closed_edge_is_crossed_out_on_the_map() -> None:
+    async with planted() as it:
         robot = it.store.state.robots["robot_0"]
         graph = robot.maps["floor_0"].graph
         assert graph is not None

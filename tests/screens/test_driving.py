@@ -11,12 +11,18 @@ import pytest
 from msgspec.structs import replace
 from textual import events
 
-from fleet_tui.model.set_up.driving import DrivePhase
+from fleet_tui.adapters.profile import DriveConfig
+from fleet_tui.model.kind import DRIVE
+from fleet_tui.model.set_up.driving import STILL, DrivePhase, DriveState
 from fleet_tui.rules.driving import hold
 from fleet_tui.simulator.kinds import play
 from fleet_tui.terminal.key_releases import KeyReleased
+from fleet_tui.text.language import Message
 from tests.support.console_pilot import Console, console
+from tests.support.fleets import of_kinds
 from tests.support.nav2_site import Site, nav2_site
+from tests.support.planted_console import SITE, PlantedConsole, planted
+from tests.support.watched_store import config_of
 
 R0 = "robot_0"
 
@@ -41,6 +47,39 @@ async def driving(
             await it.press("y")
         await it.shows("DRIVE robot_0 0.00 m/s", "map")
         yield it
+
+
+@asynccontextmanager
+async def led(size: tuple[int, int] = (120, 40)) -> AsyncIterator[PlantedConsole]:
+    """Run a console that drives a robot which keeps all it is told; a key is held until another one."""
+    config = replace(config_of(SITE, 2), drive=DriveConfig(robot_timeout=0.5))
+    async with planted(config=config, size=size) as it:
+        kind = it.store.state.robots[R0].kind
+        driven = replace(kind, accepts=(*kind.accepts, DRIVE))
+        it.store.put(of_kinds(it.store.state, driven, driven))
+        await it.press("T")
+        it.backend.drives[-1].state = DriveState(DrivePhase.READY)
+        await it.shows("DRIVE robot_0 0.00 m/s", "map")
+        yield it
+
+
+def is_led(it: PlantedConsole) -> bool:
+    """Tell whether the robot was told to move last."""
+    steered = it.backend.drives[-1].steered
+    return bool(steered) and steered[-1].speeds != STILL
+
+
+def end_of(it: PlantedConsole) -> Message:
+    """The reason for which the drive ended."""
+    state = it.backend.drives[-1].state
+    assert state.phase is DrivePhase.ENDED
+    return state.reason
+
+
+@pytest.fixture
+def held(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A tap would end before anyone could tell what ended it."""
+    monkeypatch.setattr(hold, "TAP", 600.0)
 
 
 async def press_until(it: Console, key: str, text: str, pane: str) -> None:
@@ -102,17 +141,19 @@ async def test_it_asks_first_where_a_robot_may_not_stop_by_itself(slow_site: Sit
         await it.until(lambda _: slow_site.navigation().robot.pose != start)
 
 
-async def test_any_other_key_stops_and_does_nothing_else(slow_site: Site) -> None:
-    async with driving(slow_site) as it:
+@pytest.mark.usefixtures("held")
+async def test_any_other_key_stops_and_does_nothing_else() -> None:
+    async with led() as it:
         for key in ("y", "o", "f", "q", "x", "space", "up", "enter", "0"):
             await it.press("w")
-            await it.until(lambda _: not is_still(slow_site))
+            assert is_led(it)
             await it.press(key)
-            await it.until(lambda _: is_still(slow_site))
+            assert not is_led(it) and it.sent == []
             assert it.app.main.features.drives.mode is not None, key
             assert it.app.is_running and it.app.main.focused is it.app.main.features.map
 
 
+@pytest.mark.usefixtures("held")
 @pytest.mark.parametrize(
     ("key", "reason"),
     [
@@ -125,12 +166,12 @@ async def test_any_other_key_stops_and_does_nothing_else(slow_site: Site) -> Non
         ("f12", "pause all"),
     ],
 )
-async def test_these_keys_stop_and_leave(slow_site: Site, key: str, reason: str) -> None:
-    async with driving(slow_site) as it:
+async def test_these_keys_stop_and_leave(key: str, reason: str) -> None:
+    async with led() as it:
         await it.press("w")
-        await it.until(lambda _: not is_still(slow_site))
+        assert is_led(it)
         await it.press(key)
-        await it.until(lambda _: is_still(slow_site))
+        assert end_of(it) == reason
         assert it.app.main.features.drives.mode is None
         if reason != "pause all":
             assert it.app.main.notices.text == f"robot_0 is not driven any more: {reason}"
@@ -145,12 +186,12 @@ async def test_a_terminal_without_the_focus_stops_it(slow_site: Site) -> None:
         assert it.app.main.features.drives.mode is None
 
 
-async def test_another_robot_ends_it(slow_site: Site) -> None:
-    async with driving(slow_site) as it:
+async def test_another_robot_ends_it() -> None:
+    async with led() as it:
         await it.press("w")
         it.app.main.navigation.select("robot_1")
         await it.hides("DRIVE", "map")
-        await it.until(lambda _: is_still(slow_site))
+        assert end_of(it) == "another robot"
 
 
 async def test_an_order_from_elsewhere_ends_it_and_keeps_it_from_beginning(slow_site: Site) -> None:
@@ -205,14 +246,15 @@ async def test_a_console_that_quits_stops_the_robot(slow_site: Site) -> None:
     assert is_still(slow_site)
 
 
-async def test_the_release_of_a_key_stops_the_robot(slow_site: Site, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(hold, "TAP", 60.0)  # else a tap ends before anyone could tell
-    async with driving(slow_site) as it:
+@pytest.mark.usefixtures("held")
+async def test_the_release_of_a_key_stops_the_robot() -> None:
+    async with led() as it:
         await it.press("w")
-        await it.until(lambda _: len(frames(slow_site)) > 1 and not is_still(slow_site))
         it.app.post_message(KeyReleased("up"))
+        await it.settled()
+        assert is_led(it)
         it.app.post_message(KeyReleased("w"))
-        await it.until(lambda _: is_still(slow_site))
+        await it.until(lambda _: not is_led(it))
         assert it.app.main.features.drives.mode is not None
 
 

@@ -2,10 +2,9 @@
 
 import pytest
 
-from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.view.map.drawing import Drawing
-from tests.support.console_pilot import Console, console
-from tests.support.watched_store import config_of
+from tests.support.console_pilot import Console
+from tests.support.planted_console import SITE, planted
 
 TASKS = ("Send an order", "Stop a robot", "See what is wrong", "Look around on the map", "Look back in time")
 
@@ -16,16 +15,16 @@ def shown(it: Console) -> str:
 
 
 @pytest.mark.parametrize("size", [(120, 40), (200, 60), (100, 30)])
-async def test_it_opens_on_all_tasks_at_once(server: RosbridgeServer, size: tuple[int, int]) -> None:
-    async with console(config_of(server.url, 1), size) as it:
+async def test_it_opens_on_all_tasks_at_once(size: tuple[int, int]) -> None:
+    async with planted(1, 1, size) as it:
         await it.press("?")
         await it.shows("Send an order", "help-text")
         assert [task for task in TASKS if task not in shown(it)] == []
         assert "P F12" in shown(it) and "robot_1" not in shown(it)
 
 
-async def test_at_80_by_24_the_tasks_are_three_screens(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1), (80, 24)) as it:
+async def test_at_80_by_24_the_tasks_are_three_screens() -> None:
+    async with planted(1, 1, (80, 24)) as it:
         await it.press("?")
         await it.shows("Send an order", "help-text")
         assert "Stop a robot" in shown(it) and "Choose a robot or a floor" in shown(it)
@@ -41,8 +40,8 @@ async def test_at_80_by_24_the_tasks_are_three_screens(server: RosbridgeServer) 
         assert shown(it).splitlines()[1:] == last.splitlines()[:-1]
 
 
-async def test_tab_and_clicks_turn_the_pages(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1)) as it:
+async def test_tab_and_clicks_turn_the_pages() -> None:
+    async with planted() as it:
         await it.press("?", "tab")
         await it.shows("Zoom in", "help-text")
         await it.press("tab")
@@ -51,15 +50,15 @@ async def test_tab_and_clicks_turn_the_pages(server: RosbridgeServer) -> None:
         await it.shows("Stop a robot", "help-text")
         await it.pilot.click("#help-pages", offset=(it.pane("help-pages").index("Commands"), 0))
         await it.shows("robot_0 Base > Store", "help-text")
-        assert server.url in it.text
+        assert SITE in it.text
         await it.press("escape")
         await it.hides("robot_0 Base > Store")
         await it.press("?")
         await it.shows("Stop a robot", "help-text")
 
 
-async def test_typing_searches_tasks_keys_and_legend(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1)) as it:
+async def test_typing_searches_tasks_keys_and_legend() -> None:
+    async with planted() as it:
         await it.press("?")
         await it.type("pause all")
         await it.shows("Pause all robots immediately", "help-text")
@@ -75,8 +74,8 @@ async def test_typing_searches_tasks_keys_and_legend(server: RosbridgeServer) ->
         assert "Try a shorter or another word" in shown(it)
 
 
-async def test_words_that_people_bring_find_keys_of_other_words(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1)) as it:
+async def test_words_that_people_bring_find_keys_of_other_words() -> None:
+    async with planted() as it:
         for typed, found in (
             ("stuck", "Explain why"),
             ("deliver", "Open the order form"),
@@ -93,8 +92,8 @@ async def test_words_that_people_bring_find_keys_of_other_words(server: Rosbridg
             await it.press("escape")
 
 
-async def test_the_legend_is_drawn_as_the_map(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1)) as it:
+async def test_the_legend_is_drawn_as_the_map() -> None:
+    async with planted() as it:
         await it.press("m", "m")
         assert it.app.main.features.map.picture.options.drawing is Drawing.ASCII
         await it.press("?")
@@ -102,8 +101,8 @@ async def test_the_legend_is_drawn_as_the_map(server: RosbridgeServer) -> None:
         await it.shows("D.Dock", "help-text")
 
 
-async def test_it_follows_the_size_of_the_terminal(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1)) as it:
+async def test_it_follows_the_size_of_the_terminal() -> None:
+    async with planted() as it:
         await it.press("?")
         await it.shows("Look back in time", "help-text")
         await it.pilot.resize_terminal(80, 24)
@@ -111,8 +110,8 @@ async def test_it_follows_the_size_of_the_terminal(server: RosbridgeServer) -> N
         await it.shows("Send an order", "help-text")
 
 
-async def test_the_keys_in_the_maps_title_lead_to_the_legend(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1), (160, 40)) as it:
+async def test_the_keys_in_the_maps_title_lead_to_the_legend() -> None:
+    async with planted(1, 1, (160, 40)) as it:
         await it.shows("? Tab Tab legend", "map")
         await it.press("question_mark", "tab", "tab")
         await it.shows("[Legend]")

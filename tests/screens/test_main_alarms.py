@@ -6,9 +6,8 @@ import msgspec
 
 from fleet_tui.model.alarm import AlarmStage
 from fleet_tui.model.desk.events import AlarmShelved
-from fleet_tui.simulator.server import RosbridgeServer
-from tests.support.console_menus import in_the_way
-from tests.support.console_pilot import Console, console
+from tests.support.console_pilot import Console
+from tests.support.planted_console import SITE, in_the_way, planted
 from tests.support.watched_store import config_of
 
 
@@ -16,8 +15,8 @@ def stages(it: Console) -> list[AlarmStage]:
     return [alarm.stage for alarm in it.store.state.alarms]
 
 
-async def test_shelved_and_taken_off_the_shelf(server: RosbridgeServer) -> None:
-    async with in_the_way(server, "robot_0") as it:
+async def test_shelved_and_taken_off_the_shelf() -> None:
+    async with in_the_way("robot_0") as it:
         it.app.main.alarms.focus()
         await it.press("enter")
         await it.shows("3  Shelve for 30 min")
@@ -33,14 +32,13 @@ async def test_shelved_and_taken_off_the_shelf(server: RosbridgeServer) -> None:
         await it.shows("1 alarm (1 new)", "status")
 
 
-async def test_a_shelf_ends_by_itself(server: RosbridgeServer) -> None:
-    server.bridge.muted.add("/robot_0/obstacle")
-    config = config_of(server.url, 1)
+async def test_a_shelf_ends_by_itself() -> None:
+    config = config_of(SITE, 1)
     config = msgspec.structs.replace(
         config, alarms=msgspec.structs.replace(config.alarms, shelve_for=0.5, offline_after=60.0)
     )
-    async with console(config) as it:
-        server.bridge.publish_raw("/robot_0/obstacle", {"data": 44.2})
+    async with planted(config=config) as it:
+        it.publish("/robot_0/obstacle", {"data": 44.2})
         await it.shows("robot_0", "alarms")
         it.app.main.alarms.focus()
         await it.press("enter", "3")
@@ -49,8 +47,8 @@ async def test_a_shelf_ends_by_itself(server: RosbridgeServer) -> None:
         assert stages(it) == [AlarmStage.UNACKNOWLEDGED]
 
 
-async def test_a_and_a_again_go_through_the_list(server: RosbridgeServer) -> None:
-    async with in_the_way(server, "robot_0", "robot_1") as it:
+async def test_a_and_a_again_go_through_the_list() -> None:
+    async with in_the_way("robot_0", "robot_1") as it:
         await it.shows("robot_1", "alarms")
         await it.press("a")
         await it.shows("2 alarms (1 new)", "status")
@@ -59,15 +57,14 @@ async def test_a_and_a_again_go_through_the_list(server: RosbridgeServer) -> Non
         await it.hides("new)")
 
 
-async def test_the_cursor_goes_to_what_nobody_has_seen(server: RosbridgeServer) -> None:
+async def test_the_cursor_goes_to_what_nobody_has_seen() -> None:
     """From any pane, `a` means it; while the list itself is read, the cursor stays."""
-    server.bridge.muted.update(("/robot_0/obstacle", "/robot_1/obstacle"))
-    async with console(config_of(server.url, 2, 2)) as it:
-        server.bridge.publish_raw("/robot_0/obstacle", {"data": 44.2})
+    async with planted(2, 2) as it:
+        it.publish("/robot_0/obstacle", {"data": 44.2})
         await it.shows("robot_0", "alarms")
         await it.press("a")
         await it.shows("▸△ seen high   robot_0", "alarms")
-        server.bridge.publish_raw("/robot_1/obstacle", {"data": 44.2})
+        it.publish("/robot_1/obstacle", {"data": 44.2})
         await it.shows("▸▲ new  high   robot_1", "alarms")
         it.app.main.alarms.focus()
         await it.press("j", "a")
@@ -75,13 +72,11 @@ async def test_the_cursor_goes_to_what_nobody_has_seen(server: RosbridgeServer) 
         assert it.store.state.unacknowledged == 1
 
 
-async def test_an_acknowledgement_after_a_choice_is_of_that_robot(server: RosbridgeServer) -> None:
-    for n in range(2):
-        server.bridge.muted.add(f"/robot_{n}/obstacle")
-    async with console(config_of(server.url, 2, 2)) as it:
+async def test_an_acknowledgement_after_a_choice_is_of_that_robot() -> None:
+    async with planted(2, 2) as it:
         await it.press("A")
         for n in range(2):
-            server.bridge.publish_raw(f"/robot_{n}/obstacle", {"data": 44.2})
+            it.publish(f"/robot_{n}/obstacle", {"data": 44.2})
         await it.until(lambda state: sum(alarm.condition.kind == "obstacle" for alarm in state.alarms) == 2)
         await it.press("!")
         chosen = it.app.main.navigation.robot
@@ -89,14 +84,11 @@ async def test_an_acknowledgement_after_a_choice_is_of_that_robot(server: Rosbri
         await it.shows(f"acknowledged: obstacle alarm of {chosen}")
 
 
-async def test_the_mark_goes_to_a_worse_alarm_unless_somebody_chose_the_marked_one(
-    server: RosbridgeServer,
-) -> None:
-    server.bridge.muted.update(("/robot_0/obstacle", "/robot_1/obstacle", "/robot_1/battery"))
-    async with console(config_of(server.url, 2, 2), (120, 40)) as it:
-        server.bridge.publish_raw("/robot_1/battery", {"data": 5.0})
+async def test_the_mark_goes_to_a_worse_alarm_unless_somebody_chose_the_marked_one() -> None:
+    async with planted(2, 2, (120, 40)) as it:
+        it.publish("/robot_1/battery", {"data": 5.0})
         await it.shows("▸▲ new  medium robot_1", "alarms")
-        server.bridge.publish_raw("/robot_0/obstacle", {"data": 44.2})
+        it.publish("/robot_0/obstacle", {"data": 44.2})
         await it.shows("▸▲ new  high   robot_0", "alarms")
         assert math.isfinite(it.app.main.marked_alarm.gone_at), "an acknowledgement waits for a look"
         await it.shows("robot_0: Clear the path", "alarms")

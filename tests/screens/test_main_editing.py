@@ -10,10 +10,9 @@ from msgspec.structs import replace
 
 from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.model.commands import Stage
-from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import Console, console
 from tests.support.nav2_site import Site
-from tests.support.watched_store import config_of
+from tests.support.planted_console import planted
 
 
 def drawn(it: Console) -> tuple[int, int]:
@@ -22,10 +21,8 @@ def drawn(it: Console) -> tuple[int, int]:
     return len(draft.floor.vertices), len(draft.floor.edges)
 
 
-async def test_its_keys_take_precedence_on_the_map_and_nothing_reaches_the_robots(
-    server: RosbridgeServer,
-) -> None:
-    async with console(config_of(server.url, 2, 2)) as it:
+async def test_its_keys_take_precedence_on_the_map_and_nothing_reaches_the_robots() -> None:
+    async with planted(2, 2) as it:
         await it.press("E")
         await it.shows("EDIT", "map")
         await it.shows("vertex", "hints")
@@ -45,18 +42,18 @@ async def test_its_keys_take_precedence_on_the_map_and_nothing_reaches_the_robot
         ]
 
 
-async def test_the_pause_of_all_works_in_it(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 2, 2)) as it:
+async def test_the_pause_of_all_works_in_it() -> None:
+    async with planted(2, 2) as it:
         await it.press("E", "P")
         await it.until(lambda state: len(state.commands) == 2)
         await it.press("f12")
         await it.until(lambda state: len(state.commands) == 4)
 
 
-async def test_beside_the_map_the_console_keeps_its_keys_and_escape_leaves(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 2, 2)) as it:
+async def test_beside_the_map_the_console_keeps_its_keys_and_escape_leaves() -> None:
+    async with planted(2, 2) as it:
         await it.press("E", "tab", "d")
-        await it.shows("round trip")
+        await it.shows("─ Link ")
         await it.press("escape", "escape")
         await it.shows("EDIT", "map")
         await it.press("g", "N", "}", "i")
@@ -64,11 +61,11 @@ async def test_beside_the_map_the_console_keeps_its_keys_and_escape_leaves(serve
         await it.press("{", "escape")
         await it.hides("EDIT")
         await it.press("d")
-        await it.shows("round trip")
+        await it.shows("─ Link ")
 
 
-async def test_the_mouse_draws_too(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 2, 2)) as it:
+async def test_the_mouse_draws_too() -> None:
+    async with planted(2, 2) as it:
         await it.press("E", "i")
         editor = it.app.main.features.editor
         assert editor.draft is not None and editor.mode is not None
@@ -86,10 +83,8 @@ async def test_the_mouse_draws_too(server: RosbridgeServer) -> None:
 
 
 @pytest.mark.parametrize("size", [(60, 16), (80, 24)])
-async def test_small_screens_say_that_a_draft_is_edited(
-    server: RosbridgeServer, size: tuple[int, int]
-) -> None:
-    async with console(config_of(server.url, 1, 1), size) as it:
+async def test_small_screens_say_that_a_draft_is_edited(size: tuple[int, int]) -> None:
+    async with planted(1, 1, size) as it:
         await it.press("E")
         await it.shows("EDIT", "map")
 

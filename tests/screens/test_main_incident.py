@@ -4,13 +4,11 @@ import threading
 from collections.abc import Callable
 from pathlib import Path
 
-from fleet_tui.simulator.server import RosbridgeServer
-from tests.support.console_pilot import console
-from tests.support.watched_store import config_of
+from tests.support.planted_console import planted
 
 
-async def test_a_key_packs_and_says_where(server: RosbridgeServer, tmp_path: Path) -> None:
-    async with console(config_of(server.url, 1)) as it:
+async def test_a_key_packs_and_says_where(tmp_path: Path) -> None:
+    async with planted() as it:
         go_on = threading.Event()
         shots: list[str] = []
 
@@ -32,8 +30,8 @@ async def test_a_key_packs_and_says_where(server: RosbridgeServer, tmp_path: Pat
     assert "robot_0" in shots[0] and shots[0].startswith("<svg")
 
 
-async def test_what_fails_is_said(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1)) as it:
+async def test_what_fails_is_said() -> None:
+    async with planted() as it:
         problems = [OSError("No space left on device"), ValueError("of ours")]
 
         def pack(shot: str, is_over: Callable[[], bool]) -> Path:

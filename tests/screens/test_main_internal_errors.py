@@ -12,9 +12,8 @@ from fleet_tui.audit.log import auditing
 from fleet_tui.screens.features import Features
 from fleet_tui.screens.main import MainScreen
 from fleet_tui.screens.tables import pane_rows
-from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.view.tables.fleet import fleet_table
-from tests.support.console_pilot import console
+from tests.support.planted_console import SITE, planted
 from tests.support.watched_store import config_of
 
 SAID = "internal error: broken here (see the log file)"
@@ -43,10 +42,10 @@ def logged(caplog: pytest.LogCaptureFixture) -> list[str]:
 
 @pytest.mark.own_faults
 async def test_a_key_that_fails_costs_nothing_else(
-    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+    monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
     monkeypatch.setattr(Features, "_all_orders", broken([None], Features._all_orders))
-    async with console(config_of(server.url, 2, 2)) as it:
+    async with planted(2, 2) as it:
         await it.press("*")
         await it.shows(SAID)
         assert logged(caplog) == ["action all_orders: broken here"]
@@ -58,9 +57,9 @@ async def test_a_key_that_fails_costs_nothing_else(
 
 @pytest.mark.own_faults
 async def test_ticks_that_fail_are_tried_again(
-    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+    monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
-    async with console(config_of(server.url, 2, 2)) as it:
+    async with planted(2, 2) as it:
         left = [None] * 3
         monkeypatch.setattr(pane_rows, "fleet_table", broken(left, fleet_table))
         await it.until(lambda _state: not left)
@@ -84,13 +83,13 @@ class WordlessError(Exception):
     ],
 )
 async def test_the_words_of_a_fault_are_shown_as_text(
-    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch, error: Exception, said: str
+    monkeypatch: pytest.MonkeyPatch, error: Exception, said: str
 ) -> None:
     def fails(_self: MainScreen) -> None:
         raise error
 
     monkeypatch.setattr(Features, "_all_orders", fails)
-    async with console(config_of(server.url, 2, 2)) as it:
+    async with planted(2, 2) as it:
         await it.press("*")
         await it.until(lambda _state: said in it.app.main.notices.text)
         await it.shows("internal error: ", "message")
@@ -99,11 +98,11 @@ async def test_the_words_of_a_fault_are_shown_as_text(
 
 @pytest.mark.own_faults
 async def test_what_is_read_beside_the_screen_may_fail(
-    tmp_path: Path, server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
     monkeypatch.setattr(reader.AuditReader, "newest_first", broken([None], reader.AuditReader.newest_first))
-    config = config_of(server.url, 2, 2)
-    async with console(config) as it:
+    config = config_of(SITE, 2, 2)
+    async with planted(config=config) as it:
         with auditing(tmp_path, config, it.store) as it.app.main.files.audit:
             await it.press("L")
             await it.shows(SAID)

@@ -4,16 +4,14 @@ from functools import partial
 
 import pytest
 
-from fleet_tui.simulator.server import RosbridgeServer
+from fleet_tui.model.commands import PauseRobot
 from fleet_tui.text.language import Message, verbatim
-from tests.support.console_menus import in_the_way
-from tests.support.console_pilot import console
-from tests.support.ordering import one_packet, sent
-from tests.support.watched_store import config_of
+from tests.support.ordering import one_packet
+from tests.support.planted_console import in_the_way, planted
 
 
-async def test_the_menu_of_a_row_goes_to_the_robot(server: RosbridgeServer) -> None:
-    async with in_the_way(server, "robot_1") as it:
+async def test_the_menu_of_a_row_goes_to_the_robot() -> None:
+    async with in_the_way("robot_1") as it:
         await it.shows("▲ new  high   robot_1 obstacle 44 s", "alarms")
         it.app.main.alarms.focus()
         await it.press("enter")
@@ -26,8 +24,8 @@ async def test_the_menu_of_a_row_goes_to_the_robot(server: RosbridgeServer) -> N
         assert "robot_1" in it.app.main.navigation.robot
 
 
-async def test_the_menu_acknowledges_by_number_and_names_the_key(server: RosbridgeServer) -> None:
-    async with in_the_way(server, "robot_0") as it:
+async def test_the_menu_acknowledges_by_number_and_names_the_key() -> None:
+    async with in_the_way("robot_0") as it:
         it.app.main.alarms.focus()
         await it.press("enter")
         await it.shows("5  Acknowledge (a)")
@@ -40,23 +38,23 @@ async def test_the_menu_acknowledges_by_number_and_names_the_key(server: Rosbrid
         assert "Acknowledge" not in it.text
 
 
-async def test_an_alarm_that_is_over_has_no_menu(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1)) as it:
+async def test_an_alarm_that_is_over_has_no_menu() -> None:
+    async with planted() as it:
         it.app.main.features.alarms.menu("robot_0", "obstacle")
         await it.shows("the alarm of robot_0 has cleared")
 
 
-async def test_two_enters_in_a_menu_do_it_once(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1)) as it:
+async def test_two_enters_in_a_menu_do_it_once() -> None:
+    async with planted() as it:
         await it.press("tab", "enter", "j")
         one_packet(it, "\r\r")
         await it.until(lambda state: state.commands and state.commands[-1].is_decided)
         await it.pilot.pause()
-        assert sent(server) == [("Pause", {})]
+        assert it.sent == [PauseRobot("robot_0")]
 
 
-async def test_the_keys_of_entries_choose_them_for_the_robot_of_the_menu(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 2)) as it:
+async def test_the_keys_of_entries_choose_them_for_the_robot_of_the_menu() -> None:
+    async with planted(2) as it:
         it.app.main.fleet.focus()
         await it.press("down", "enter")
         await it.shows("Explain why it is not moving (w)")
@@ -71,18 +69,16 @@ async def test_the_keys_of_entries_choose_them_for_the_robot_of_the_menu(server:
 
 
 @pytest.mark.parametrize("screen", ["d", "H", "J", "B", "w", "i"])
-async def test_all_robots_are_paused_from_every_screen(server: RosbridgeServer, screen: str) -> None:
-    async with console(config_of(server.url, 2)) as it:
+async def test_all_robots_are_paused_from_every_screen(screen: str) -> None:
+    async with planted(2) as it:
         await it.press(screen, "P")
         await it.until(lambda state: all(state.is_paused(robot) for robot in state.robots.values()))
-        assert [call for call, _ in sent(server)] == ["Pause", "Pause"]
+        assert it.sent == [PauseRobot("robot_0"), PauseRobot("robot_1")]
 
 
 @pytest.mark.parametrize("many", [2, 12])
-async def test_a_list_of_things_filters_as_one_types_and_no_letter_is_a_command(
-    server: RosbridgeServer, many: int
-) -> None:
-    async with console(config_of(server.url, 1)) as it:
+async def test_a_list_of_things_filters_as_one_types_and_no_letter_is_a_command(many: int) -> None:
+    async with planted() as it:
         chosen: list[int] = []
         entries = [(verbatim(f"place {n} (p)"), partial(chosen.append, n)) for n in range(many)]
         it.app.main.features.menu.show(Message("Places"), entries, searched=True)
@@ -90,11 +86,11 @@ async def test_a_list_of_things_filters_as_one_types_and_no_letter_is_a_command(
         await it.type("p 1")
         await it.hides("place 0")
         await it.press("enter")
-        assert chosen == [1] and sent(server) == []
+        assert chosen == [1] and it.sent == []
 
 
-async def test_actions_keep_their_keys_however_many_they_are(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1)) as it:
+async def test_actions_keep_their_keys_however_many_they_are() -> None:
+    async with planted() as it:
         chosen: list[int] = []
         entries = [
             (verbatim(f"action {n} ({'abcdefghilmn'[n]})"), partial(chosen.append, n)) for n in range(12)
@@ -106,4 +102,4 @@ async def test_actions_keep_their_keys_however_many_they_are(server: RosbridgeSe
         it.app.main.features.menu.show(Message("Actions"), entries)
         await it.press("9")
         await it.hides("action 8")
-        assert chosen == [10, 8] and sent(server) == []
+        assert chosen == [10, 8] and it.sent == []

@@ -2,27 +2,23 @@
 
 import pytest
 
-from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.text.language import verbatim
-from tests.support.console_pilot import console
-from tests.support.ordering import one_packet, sent
-from tests.support.watched_store import config_of
+from tests.support.ordering import one_packet
+from tests.support.planted_console import planted
 
 
 @pytest.mark.parametrize("opener", [":", "?"])
-async def test_keys_typed_right_after_the_palette_or_help_belong_to_it(
-    server: RosbridgeServer, opener: str
-) -> None:
-    async with console(config_of(server.url, 1)) as it:
+async def test_keys_typed_right_after_the_palette_or_help_belong_to_it(opener: str) -> None:
+    async with planted() as it:
         one_packet(it, opener + "pPoxX")
         await it.shows("pPoxX")
         one_packet(it, "\x1b")
         await it.hides("pPoxX")
-        assert sent(server) == []
+        assert it.sent == []
 
 
-async def test_a_dialog_over_a_list_gives_it_back_and_over_nothing_the_map(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1)) as it:
+async def test_a_dialog_over_a_list_gives_it_back_and_over_nothing_the_map() -> None:
+    async with planted() as it:
         rest = it.app.main.features
         await it.press("J")
         rest.confirm.ask(lambda: verbatim("Really?"), lambda: None)
@@ -36,9 +32,9 @@ async def test_a_dialog_over_a_list_gives_it_back_and_over_nothing_the_map(serve
         assert not rest.programs.is_open and rest.map.has_focus
 
 
-async def test_every_overlay_has_its_title_in_its_border(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 2)) as it:
-        server.world.robots["robot_1"].paused = True
+async def test_every_overlay_has_its_title_in_its_border() -> None:
+    async with planted(2) as it:
+        it.fleet.world.robots["robot_1"].paused = True
         await it.until(lambda state: state.is_paused(state.robots["robot_1"]))
         for key, title in ((":", "Command"), ("?", "Help"), ("enter", "Actions"), ("R", "Question")):
             await it.press(key)

@@ -18,9 +18,9 @@ from fleet_tui.config.start import initial_state
 from fleet_tui.controllers import programs as controller
 from fleet_tui.model.programs.program import ChangeOutcome
 from fleet_tui.programs import watch
-from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.state.store import Store
-from tests.support.console_pilot import Console, console
+from tests.support.console_pilot import Console
+from tests.support.planted_console import SITE, planted
 from tests.support.stand_ins import with_status
 from tests.support.watched_store import config_of
 
@@ -29,13 +29,10 @@ PANE = "programs-rows"
 
 @asynccontextmanager
 async def with_programs(
-    server: RosbridgeServer,
-    programs: Sequence[ProgramEntry],
-    operator: Operator | None = None,
-    size: tuple[int, int] = (120, 40),
+    programs: Sequence[ProgramEntry], operator: Operator | None = None, size: tuple[int, int] = (120, 40)
 ) -> AsyncIterator[Console]:
-    config = replace(config_of(server.url, 1), programs=list(programs), operator=operator or Operator("ana"))
-    async with console(config, size) as it:
+    config = replace(config_of(SITE, 1), programs=list(programs), operator=operator or Operator("ana"))
+    async with planted(config=config, size=size) as it:
         yield it
 
 
@@ -50,8 +47,8 @@ def audited(folder: Path) -> list[str]:
     return [f"{one.change} {one.words}" for one in records if one.change.startswith("program")]
 
 
-async def test_without_programs_the_key_says_how_to_configure_one(server: RosbridgeServer) -> None:
-    async with with_programs(server, [], size=(80, 24)) as it:
+async def test_without_programs_the_key_says_how_to_configure_one() -> None:
+    async with with_programs([], size=(80, 24)) as it:
         await it.press("J")
         await it.shows("No program is configured.", PANE)
         await it.shows('unit = "rosbridge.service"', PANE)
@@ -59,12 +56,10 @@ async def test_without_programs_the_key_says_how_to_configure_one(server: Rosbri
         await it.hides("No program is configured.")
 
 
-async def test_a_program_is_started_and_stopped_after_a_question_and_audited(
-    server: RosbridgeServer, tmp_path: Path
-) -> None:
+async def test_a_program_is_started_and_stopped_after_a_question_and_audited(tmp_path: Path) -> None:
     nav = with_status(tmp_path)
-    async with with_programs(server, [nav, replace(nav, name="map", needs=["nav"])]) as it:
-        with auditing(tmp_path, config_of(server.url, 1), it.store) as it.app.main.files.audit:
+    async with with_programs([nav, replace(nav, name="map", needs=["nav"])]) as it:
+        with auditing(tmp_path, config_of(SITE, 1), it.store) as it.app.main.files.audit:
             await it.press("J")
             await it.shows("○ stopped", PANE)
             await it.press("enter")
@@ -95,10 +90,10 @@ async def test_a_program_is_started_and_stopped_after_a_question_and_audited(
     [(Operator("ana", read_only=True), "read-only"), (Operator("ana", armed=False), "is not armed")],
 )
 async def test_who_may_not_command_looks_but_starts_nothing(
-    server: RosbridgeServer, tmp_path: Path, operator: Operator, reason: str
+    tmp_path: Path, operator: Operator, reason: str
 ) -> None:
     nav = replace(with_status(tmp_path), log=["echo", "a line"])
-    async with with_programs(server, [nav], operator) as it:
+    async with with_programs([nav], operator) as it:
         await it.press("J")
         await it.shows("○ stopped", PANE)
         await it.press("enter", "1")
@@ -108,9 +103,9 @@ async def test_who_may_not_command_looks_but_starts_nothing(
         await it.shows("a line", PANE)
 
 
-async def test_they_are_sorted_by_the_columns_that_sort(server: RosbridgeServer, tmp_path: Path) -> None:
+async def test_they_are_sorted_by_the_columns_that_sort(tmp_path: Path) -> None:
     nav = with_status(tmp_path)
-    async with with_programs(server, [nav, replace(nav, name="map_10"), replace(nav, name="map_9")]) as it:
+    async with with_programs([nav, replace(nav, name="map_10"), replace(nav, name="map_9")]) as it:
         await it.press("J")
         await it.shows("○ stopped", PANE)
         await it.press("S")
@@ -126,10 +121,8 @@ async def test_they_are_sorted_by_the_columns_that_sort(server: RosbridgeServer,
         assert it.pane(PANE).index("map_10") < it.pane(PANE).index("map_9"), "as configured"
 
 
-async def test_a_console_that_is_disarmed_during_the_question_starts_nothing(
-    server: RosbridgeServer, tmp_path: Path
-) -> None:
-    async with with_programs(server, [with_status(tmp_path)]) as it:
+async def test_a_console_that_is_disarmed_during_the_question_starts_nothing(tmp_path: Path) -> None:
+    async with with_programs([with_status(tmp_path)]) as it:
         await it.press("J")
         await it.shows("○ stopped", PANE)
         await it.press("enter", "1")
@@ -140,16 +133,16 @@ async def test_a_console_that_is_disarmed_during_the_question_starts_nothing(
 
 
 async def test_a_fault_of_our_own_and_a_closed_console_leave_an_outcome(
-    server: RosbridgeServer, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     async def fails(program: ProgramEntry, verb: str, folder: Path) -> ChangeOutcome:
         raise RuntimeError("broken")
 
     nav = with_status(tmp_path)
     slow = replace(nav, name="slow", start=["sleep", "60"])
-    store = Store(initial_state(config_of(server.url, 1), 0.0))
-    with auditing(tmp_path, config_of(server.url, 1), store) as audit:
-        async with with_programs(server, [slow, nav]) as it:
+    store = Store(initial_state(config_of(SITE, 1), 0.0))
+    with auditing(tmp_path, config_of(SITE, 1), store) as audit:
+        async with with_programs([slow, nav]) as it:
             it.app.main.files.audit = audit
             await it.press("J")
             await it.shows("stopped", PANE)
@@ -168,14 +161,12 @@ async def test_a_fault_of_our_own_and_a_closed_console_leave_an_outcome(
     ]
 
 
-async def test_a_log_follows_its_end_and_is_filtered_as_one_types(
-    server: RosbridgeServer, tmp_path: Path
-) -> None:
+async def test_a_log_follows_its_end_and_is_filtered_as_one_types(tmp_path: Path) -> None:
     script = "for n in 1 2 3; do echo line $n q; done; printf '\\033[2J\\377bad J\\n'; "
     script += "while [ ! -e more ]; do sleep 0.05; done; echo more"
     log = ["sh", "-c", f"cd {tmp_path}; {script}; exec sleep 60"]
     nav = replace(with_status(tmp_path), log=log)
-    async with with_programs(server, [nav], size=(80, 24)) as it:
+    async with with_programs([nav], size=(80, 24)) as it:
         await it.press("J")
         await it.shows("○ stopped", PANE)
         await it.press("enter", "2")
@@ -192,9 +183,7 @@ async def test_a_log_follows_its_end_and_is_filtered_as_one_types(
         assert it.app.main.query_one("#programs-filter", Input).value == ""
 
 
-async def test_programs_that_hang_flood_or_are_missing_are_told_and_hold_up_nothing(
-    server: RosbridgeServer, tmp_path: Path
-) -> None:
+async def test_programs_that_hang_flood_or_are_missing_are_told_and_hold_up_nothing(tmp_path: Path) -> None:
     nav = with_status(tmp_path)
     forms = {
         "hangs": ["sleep", "60"],
@@ -203,7 +192,7 @@ async def test_programs_that_hang_flood_or_are_missing_are_told_and_hold_up_noth
         "odd": ["sh", "-c", "printf '\\033[2J\\377x'; exit 4"],
     }
     programs = [replace(nav, name=name, status=status) for name, status in forms.items()]
-    async with with_programs(server, [*programs, nav]) as it:
+    async with with_programs([*programs, nav]) as it:
         await it.press("J")
         await it.shows("yes: stopped after 256 kB of output", PANE)
         await it.shows("no-such-program: not found: install it", PANE)
@@ -214,10 +203,10 @@ async def test_programs_that_hang_flood_or_are_missing_are_told_and_hold_up_noth
         await it.shows("● running", PANE)
 
 
-async def test_nothing_runs_once_it_is_closed(server: RosbridgeServer, tmp_path: Path) -> None:
+async def test_nothing_runs_once_it_is_closed(tmp_path: Path) -> None:
     noted = tmp_path / "looks"
     status = ["sh", "-c", f"echo >> {noted}"]
-    async with with_programs(server, [replace(with_status(tmp_path), status=status)]) as it:
+    async with with_programs([replace(with_status(tmp_path), status=status)]) as it:
         await it.press("J")
         await it.shows("● running", PANE)
         await it.press("escape")

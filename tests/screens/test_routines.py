@@ -2,8 +2,6 @@
 
 import asyncio
 import os
-from collections.abc import AsyncIterator
-from contextlib import asynccontextmanager
 from pathlib import Path
 
 import pytest
@@ -12,10 +10,10 @@ from msgspec.structs import replace
 from fleet_tui.audit.file import FILE_NAME
 from fleet_tui.audit.log import auditing
 from fleet_tui.audit.reader import AuditReader
-from fleet_tui.config.schema import Operator, RoutinesConfig
-from fleet_tui.model.link import CommandPath, LinkState, Phase
+from fleet_tui.config.schema import Config, Operator, RoutinesConfig
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import Console, console
+from tests.support.planted_console import SITE, planted
 from tests.support.routine_files import hurry, routine
 from tests.support.scenario import calls
 from tests.support.watched_store import config_of
@@ -36,18 +34,9 @@ def gate(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Path:
     return tmp_path / "fifo"
 
 
-@asynccontextmanager
-async def with_routines(
-    server: RosbridgeServer, folder: Path, operator: Operator | None = None, size: tuple[int, int] = (120, 40)
-) -> AsyncIterator[Console]:
+def configured(url: str, folder: Path, operator: Operator | None = None) -> Config:
     routines = RoutinesConfig(str(folder / "routines"))
-    config = replace(config_of(server.url, 1), routines=routines, operator=operator or Operator("ana"))
-    async with console(config, size) as it:
-        yield it
-
-
-def reaches(link: LinkState) -> bool:
-    return link.phase is Phase.UP and link.command_path is CommandPath.ALIVE
+    return replace(config_of(url, 1), routines=routines, operator=operator or Operator("ana"))
 
 
 def audited(folder: Path) -> list[str]:
@@ -69,7 +58,7 @@ async def test_it_is_started_after_a_check_and_a_question_and_led_to_its_end(
     server: RosbridgeServer, tmp_path: Path, gate: Path
 ) -> None:
     hurry(server)
-    async with with_routines(server, tmp_path, size=(80, 24)) as it:
+    async with console(configured(server.url, tmp_path), (80, 24)) as it:
         with auditing(tmp_path, config_of(server.url, 1), it.store) as it.app.main.files.audit:
             await it.press("B")
             await it.shows("○ never run", PANE)
@@ -92,15 +81,13 @@ async def test_it_is_started_after_a_check_and_a_question_and_led_to_its_end(
         ]
 
 
-async def test_without_a_link_it_is_held_and_a_person_resumes(
-    server: RosbridgeServer, tmp_path: Path
-) -> None:
-    hurry(server)
-    async with with_routines(server, tmp_path) as it:
+async def test_without_a_link_it_is_held_and_a_person_resumes(tmp_path: Path) -> None:
+    async with planted(config=configured(SITE, tmp_path)) as it:
+        hurry(it.fleet.server)
         await start_day(it)
-        await server.drop_clients()
+        it.lose_link()
         await it.shows("△ held", PANE)
-        await it.until(lambda state: all(map(reaches, state.links.values())))
+        it.find_link()
         await it.shows("△ held", PANE)
         await it.press("down", "enter", "1")
         await it.shows("● running", PANE)
@@ -113,9 +100,9 @@ async def test_without_a_link_it_is_held_and_a_person_resumes(
         await it.hides("robot_0 ", PANE)
 
 
-async def test_problems_are_shown_in_place_of_a_start(server: RosbridgeServer, tmp_path: Path) -> None:
+async def test_problems_are_shown_in_place_of_a_start(tmp_path: Path) -> None:
     routine(tmp_path, "for robot_0\ngo Bse\nrun absent\nend\n")
-    async with with_routines(server, tmp_path) as it:
+    async with planted(config=configured(SITE, tmp_path)) as it:
         await it.press("B")
         await it.shows("○ never run", PANE)
         await it.press("enter", "1")
@@ -131,13 +118,13 @@ async def test_problems_are_shown_in_place_of_a_start(server: RosbridgeServer, t
         await it.hides("wait 5 s")
 
 
-async def test_a_console_that_is_not_armed_starts_nothing(server: RosbridgeServer, tmp_path: Path) -> None:
-    async with with_routines(server, tmp_path, Operator("ana", armed=False)) as it:
+async def test_a_console_that_is_not_armed_starts_nothing(tmp_path: Path) -> None:
+    async with planted(config=configured(SITE, tmp_path, Operator("ana", armed=False))) as it:
         await it.press("B")
         await it.shows("○ never run", PANE)
         await it.press("enter", "1")
         await it.shows("day: not started: not sent: this console is not armed")
-        assert calls(server) == []
+        assert it.sent == []
 
 
 @pytest.mark.nightly
@@ -145,12 +132,12 @@ async def test_leaving_is_asked_and_the_next_console_takes_it_up(
     server: RosbridgeServer, tmp_path: Path
 ) -> None:
     hurry(server)
-    async with with_routines(server, tmp_path) as it:
+    async with console(configured(server.url, tmp_path)) as it:
         await start_day(it)
         await it.press("escape", "q")
         await it.shows("Leave day? Running orders continue")
         await it.pilot.press("y")
-    async with with_routines(server, tmp_path) as it:
+    async with console(configured(server.url, tmp_path)) as it:
         await it.press("B")
         await it.shows("△ held", PANE)
         await it.press("enter", "1")

@@ -3,10 +3,9 @@
 import pytest
 
 from fleet_tui.model.events import LabelsReceived
-from fleet_tui.simulator.server import RosbridgeServer
-from tests.support.console_pilot import Console, console
-from tests.support.ordering import sent, vertex
-from tests.support.watched_store import config_of
+from tests.support.console_pilot import Console
+from tests.support.ordering import order, vertex
+from tests.support.planted_console import planted
 
 
 async def pick_by_arrows(it: Console, label: str) -> None:
@@ -20,8 +19,8 @@ async def pick_by_arrows(it: Console, label: str) -> None:
 
 
 @pytest.mark.parametrize("size", [(120, 40), (80, 24)])
-async def test_an_order_with_arrows_and_enter_alone(server: RosbridgeServer, size: tuple[int, int]) -> None:
-    async with console(config_of(server.url, 2), size) as it:
+async def test_an_order_with_arrows_and_enter_alone(size: tuple[int, int]) -> None:
+    async with planted(2, 1, size) as it:
         await it.press("s")
         await it.shows("Robot: robot_0")
         for word in ("● ws://", "Queue robot_0", "Alarms", "robot_1", "Send"):
@@ -39,21 +38,16 @@ async def test_an_order_with_arrows_and_enter_alone(server: RosbridgeServer, siz
         await pick_by_arrows(it, "Consumidores")
         await it.press("enter")
         await it.until(lambda state: state.commands and state.commands[-1].is_decided)
-        wanted = {"initial_point": vertex(it, "Base"), "end_point": vertex(it, "Consumidores")}
-        ((service, args),) = sent(server)
-        assert service == "Execute_order" and wanted.items() <= args.items()
-        assert server.bridge.services.calls[0][0].startswith("/robot_1/")
+        assert it.sent == [order(it, "Base", "Consumidores", robot="robot_1")]
         await it.shows("Base -> Consumidores", "queue")
         await it.shows("From: choose")
 
 
 @pytest.mark.parametrize("size", [(60, 15), (45, 12), (120, 15)])
-async def test_on_a_small_terminal_the_form_works_with_the_worst_alarm_in_view(
-    server: RosbridgeServer, size: tuple[int, int]
-) -> None:
-    async with console(config_of(server.url, 2)) as it:
+async def test_on_a_small_terminal_the_form_works_with_the_worst_alarm_in_view(size: tuple[int, int]) -> None:
+    async with planted(2) as it:
         await it.pilot.resize_terminal(*size)
-        server.world.robots["robot_1"].battery = 5.0
+        it.fleet.world.robots["robot_1"].battery = 5.0
         await it.until(lambda state: state.unacknowledged)
         await it.press("s")
         for word in ("Robot: robot_0", "From: choose", "To: choose", "Send", "▲ new", "robot_1"):
@@ -66,13 +60,13 @@ async def test_on_a_small_terminal_the_form_works_with_the_worst_alarm_in_view(
         assert "▲ new" in it.text
         await it.press("enter")
         await it.until(lambda state: state.commands and state.commands[-1].is_decided)
-        assert [service for service, _ in sent(server)] == ["Execute_order"]
+        assert it.sent == [order(it, "Base", "Consumidores")]
         await it.press("s")
         await it.shows(" 0 robot_0")
 
 
-async def test_an_order_with_the_mouse_alone(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1)) as it:
+async def test_an_order_with_the_mouse_alone() -> None:
+    async with planted() as it:
         await it.press("s")
         await it.shows("From: choose")
         for button, row in (("#simple-from", 0), ("#simple-to", 2)):
@@ -82,11 +76,11 @@ async def test_an_order_with_the_mouse_alone(server: RosbridgeServer) -> None:
             await it.until(lambda _: it.app.main.query_one("#simple-send").region.height)
         await it.pilot.click("#simple-send")
         await it.until(lambda state: state.commands and state.commands[-1].is_decided)
-        assert [service for service, _ in sent(server)] == ["Execute_order"]
+        assert it.sent == [order(it, "Base", "Consumidores")]
 
 
-async def test_what_is_missing_is_named_and_nothing_leaves(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1)) as it:
+async def test_what_is_missing_is_named_and_nothing_leaves() -> None:
+    async with planted() as it:
         await it.press("s", "down", "down", "enter")
         await it.shows("From is missing")
         await it.press("enter")
@@ -97,16 +91,14 @@ async def test_what_is_missing_is_named_and_nothing_leaves(server: RosbridgeServ
         await pick_by_arrows(it, "Base")
         await it.press("enter")
         await it.shows("same place")
-        assert not server.bridge.services.calls
+        assert it.sent == []
 
 
-async def test_with_cargo_on_board_the_order_starts_here_and_the_buttons_stay(
-    server: RosbridgeServer,
-) -> None:
-    async with console(config_of(server.url, 1)) as it:
+async def test_with_cargo_on_board_the_order_starts_here_and_the_buttons_stay() -> None:
+    async with planted() as it:
         await it.press("s")
         await it.shows("From: choose")
-        server.world.robots["robot_0"].cargo = True
+        it.fleet.world.robots["robot_0"].cargo = True
         await it.shows("To, for the cargo on board")
         await it.shows("From: here")
         await it.press("down", "enter")
@@ -114,13 +106,11 @@ async def test_with_cargo_on_board_the_order_starts_here_and_the_buttons_stay(
         await pick_by_arrows(it, "Base")
         await it.press("enter")
         await it.until(lambda state: state.commands and state.commands[-1].is_decided)
-        assert sent(server) == [
-            ("Execute_order_with_cargo", {"agent": "robot_0", "end_point": vertex(it, "Base")})
-        ]
+        assert it.sent == [order(it, "Base")]
 
 
-async def test_a_label_that_looks_like_markup_is_text(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1)) as it:
+async def test_a_label_that_looks_like_markup_is_text() -> None:
+    async with planted() as it:
         it.store.apply(LabelsReceived("robot_0", "floor_0", {"0": "[bold]Base[/]"}))
         await it.press("s")
         await it.shows("From: choose")
@@ -130,8 +120,8 @@ async def test_a_label_that_looks_like_markup_is_text(server: RosbridgeServer) -
         await it.shows("From: [bold]Base[/]")
 
 
-async def test_a_list_filters_as_one_types_and_no_letter_commands(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 2)) as it:
+async def test_a_list_filters_as_one_types_and_no_letter_commands() -> None:
+    async with planted(2) as it:
         await it.press("s", "down", "enter")
         await it.shows("Where to?")
         await it.type("Pack")
@@ -139,12 +129,12 @@ async def test_a_list_filters_as_one_types_and_no_letter_commands(server: Rosbri
         await it.hides("Base", "simple-list")
         await it.press("enter")
         await it.shows("To: Packing")
-        assert sent(server) == []
+        assert it.sent == []
 
 
-async def test_what_was_chosen_is_forgotten_when_it_is_left(server: RosbridgeServer) -> None:
-    server.world.robots["robot_0"].cargo = True
-    async with console(config_of(server.url, 1)) as it:
+async def test_what_was_chosen_is_forgotten_when_it_is_left() -> None:
+    async with planted() as it:
+        it.fleet.world.robots["robot_0"].cargo = True
         await it.until(lambda state: state.robots["robot_0"].has_cargo)
         await it.press("s", "enter")
         await it.type("Base")
@@ -155,11 +145,11 @@ async def test_what_was_chosen_is_forgotten_when_it_is_left(server: RosbridgeSer
             await it.shows("Where to?")
             await it.press("escape")
             await it.shows("To, for the cargo on board: choose")
-        assert sent(server) == []
+        assert it.sent == []
 
 
-async def test_a_place_that_got_another_id_meanwhile_must_be_chosen_again(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1)) as it:
+async def test_a_place_that_got_another_id_meanwhile_must_be_chosen_again() -> None:
+    async with planted() as it:
         base = str(vertex(it, "Base"))
         await it.press("s", "enter")
         await it.type("Base")

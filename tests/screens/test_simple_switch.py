@@ -4,16 +4,12 @@ import pytest
 from textual.app import ComposeResult
 
 from fleet_tui.screens.simple import Simple
-from fleet_tui.simulator.server import RosbridgeServer
-from tests.support.console_pilot import console
-from tests.support.watched_store import config_of
+from tests.support.planted_console import planted
 
 
 @pytest.mark.parametrize(("size", "has_map"), [((80, 24), True), ((60, 24), False), ((120, 40), True)])
-async def test_it_comes_and_goes_and_pausing_works_within(
-    server: RosbridgeServer, size: tuple[int, int], has_map: bool
-) -> None:
-    async with console(config_of(server.url, 2), size) as it:
+async def test_it_comes_and_goes_and_pausing_works_within(size: tuple[int, int], has_map: bool) -> None:
+    async with planted(2, 1, size) as it:
         await it.press("s")
         await it.shows("From: choose")
         assert (it.app.main.features.map.region.height > 0) is has_map
@@ -33,11 +29,9 @@ async def test_it_comes_and_goes_and_pausing_works_within(
         assert it.app.main.focused is it.app.main.features.map
 
 
-async def test_a_tick_while_it_is_being_made(
-    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
-) -> None:
+async def test_a_tick_while_it_is_being_made(monkeypatch: pytest.MonkeyPatch) -> None:
     made = Simple.compose
-    async with console(config_of(server.url, 2), (120, 40)) as it:
+    async with planted(2, 1, (120, 40)) as it:
 
         def compose(simple: Simple) -> ComposeResult:
             it.app.main.tick()
@@ -48,9 +42,9 @@ async def test_a_tick_while_it_is_being_made(
         await it.shows("Robot: robot_0")
 
 
-async def test_a_tick_while_its_widgets_go(server: RosbridgeServer) -> None:
+async def test_a_tick_while_its_widgets_go() -> None:
     """As when the console ends on a busy machine: one after the other."""
-    async with console(config_of(server.url, 2)) as it:
+    async with planted(2) as it:
         await it.press("s")
         await it.shows("From: choose")
         await it.app.main.query_one("#simple-robot").remove()

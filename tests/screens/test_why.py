@@ -7,6 +7,7 @@ import pytest
 from msgspec.structs import replace
 from textual.widgets import Input
 
+from fleet_tui.model.commands import ResumeRobot
 from fleet_tui.rules.why.reason import Reason
 from fleet_tui.screens.confirm import Confirm
 from fleet_tui.screens.ordering.form import OrderForm
@@ -15,6 +16,7 @@ from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.text.language import EMPTY, Message
 from tests.support.console_pilot import Console, console
 from tests.support.fleets import place_order
+from tests.support.planted_console import SITE, planted
 from tests.support.scenario import plant
 from tests.support.situations import BASE, CONSUMIDORES
 from tests.support.watched_store import config_of
@@ -28,29 +30,25 @@ def is_open(it: Console) -> bool:
 
 
 @pytest.mark.parametrize("size", [(120, 40), (80, 24)])
-async def test_it_names_the_cause_and_its_key_does_the_fix(
-    server: RosbridgeServer, size: tuple[int, int]
-) -> None:
-    plant(server, "paused:robot_0")
-    async with console(config_of(server.url, 2, 2), size) as it:
+async def test_it_names_the_cause_and_its_key_does_the_fix(size: tuple[int, int]) -> None:
+    async with planted(2, 2, size) as it:
+        it.fleet.plant("paused:robot_0")
         await it.press("w")
         await it.shows("Why: robot_0")
         await it.shows("▶ 1. paused  (certain)")
         await it.shows("r resume")
         await it.press("r")
         await it.shows("▶ 1. no orders")
-        assert [service for service, _ in server.bridge.services.calls] == [
-            "/robot_0/Application_layout/Resume"
-        ]
+        assert it.sent == [ResumeRobot("robot_0")]
         await it.press("escape")
         await it.hides("Why: robot_0")
 
 
-async def test_it_is_live_and_goes_with_the_robot(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 2, 2)) as it:
+async def test_it_is_live_and_goes_with_the_robot() -> None:
+    async with planted(2, 2) as it:
         await it.press("w")
         await it.shows("▶ 1. no orders")
-        plant(server, "obstacle:robot_0,paused:robot_1")
+        it.fleet.plant("obstacle:robot_0,paused:robot_1")
         await it.shows("▶ 1. obstacle")
         await it.press("]")
         await it.shows("Why: robot_1")
@@ -61,8 +59,8 @@ async def test_it_is_live_and_goes_with_the_robot(server: RosbridgeServer) -> No
         await it.hides("Why: ")
 
 
-async def test_order_and_clear_open_what_they_open_elsewhere(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1)) as it:
+async def test_order_and_clear_open_what_they_open_elsewhere() -> None:
+    async with planted() as it:
         await it.press("w", "o")
         await it.shows("Charger ")
         assert it.app.main.query_one(OrderForm).is_open and not is_open(it)
@@ -75,31 +73,31 @@ async def test_order_and_clear_open_what_they_open_elsewhere(server: RosbridgeSe
         await it.shows("Clear all 1 order of robot_0?")
         assert it.app.main.query_one(Confirm).is_open and not is_open(it)
         await it.press("n")
-        assert len(server.bridge.services.calls) == 1
+        assert len(it.sent) == 1
 
 
-async def test_a_pause_reaches_through_it(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 2, 2)) as it:
+async def test_a_pause_reaches_through_it() -> None:
+    async with planted(2, 2) as it:
         await it.press("w", "f12")
-        await it.until(lambda _: len(server.bridge.services.calls) == 2)
+        await it.until(lambda _: len(it.sent) == 2)
         await it.until(lambda state: all(one.is_decided for one in state.commands))
         await it.press("P")
-        await it.until(lambda _: len(server.bridge.services.calls) == 4)
+        await it.until(lambda _: len(it.sent) == 4)
         await it.shows("    sent by this console, ")
         assert is_open(it)
 
 
-async def test_other_keys_do_nothing_in_it(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1)) as it:
+async def test_other_keys_do_nothing_in_it() -> None:
+    async with planted() as it:
         await it.press("w", "s", "m", "*", "A", "}")
         assert is_open(it)
-        assert server.bridge.services.calls == []
+        assert it.sent == []
 
 
-async def test_remapped_keys_work_and_show(server: RosbridgeServer) -> None:
-    plant(server, "paused:robot_0")
-    config = msgspec.structs.replace(config_of(server.url, 1), keys={"why": "W", "resume": "f5"})
-    async with console(config) as it:
+async def test_remapped_keys_work_and_show() -> None:
+    config = msgspec.structs.replace(config_of(SITE, 1), keys={"why": "W", "resume": "f5"})
+    async with planted(config=config) as it:
+        it.fleet.plant("paused:robot_0")
         await it.press("W")
         await it.shows("F5 resume")
         await it.press("f5")
@@ -108,18 +106,18 @@ async def test_remapped_keys_work_and_show(server: RosbridgeServer) -> None:
         await it.hides("Why: ")
 
 
-async def test_the_robots_menu_has_it(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1)) as it:
+async def test_the_robots_menu_has_it() -> None:
+    async with planted() as it:
         await it.press("tab", "enter")
         await it.shows("Explain why it")
         await it.press("j", "j", "j", "j", "j", "enter")
         await it.shows("▶ 1. no orders")
 
 
-async def test_an_order_for_a_low_battery_has_the_way_to_the_charger(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1, 1)) as it:
+async def test_an_order_for_a_low_battery_has_the_way_to_the_charger() -> None:
+    async with planted(1, 1) as it:
         form = it.app.main.query_one(OrderForm)
-        robot = server.world.robots["robot_0"]
+        robot = it.fleet.world.robots["robot_0"]
         robot.battery, robot.pose = 15.0, replace(robot.pose, x=robot.pose.x + 3.0)
         await it.until(lambda state: state.alarms)
         await it.press("o")
@@ -129,14 +127,14 @@ async def test_an_order_for_a_low_battery_has_the_way_to_the_charger(server: Ros
         await it.press("o")
         await it.shows("To      Charger")
         assert [field.value for field in form.query(Input)][2] == "Charger"
-        assert not server.bridge.services.calls, "it is only proposed"
+        assert it.sent == [], "it is only proposed"
         await it.press("enter")
         await it.until(lambda state: state.robots["robot_0"].orders.orders)
 
 
-async def test_long_lines_go_on_as_far_in_as_they_began(server: RosbridgeServer) -> None:
-    plant(server, "battery:robot_0")
-    async with console(config_of(server.url, 1, 1), (60, 24)) as it:
+async def test_long_lines_go_on_as_far_in_as_they_began() -> None:
+    async with planted(1, 1, (60, 24)) as it:
+        it.fleet.plant("battery:robot_0")
         await it.press("w")
         await it.shows("the robot may reserve the rest")
         await it.shows("\n│     a charger, reported ")
@@ -154,16 +152,16 @@ async def test_reasons_that_a_small_screen_cuts_are_reached_by_scrolling(server:
         await it.shows("1. obstacle")
 
 
-async def test_the_outcome_of_a_key_is_in_view_below_it(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1, 1), (80, 24)) as it:
+async def test_the_outcome_of_a_key_is_in_view_below_it() -> None:
+    async with planted(1, 1, (80, 24)) as it:
         await it.press("w", "p")
         await it.shows("robot_0 pause: ")
 
 
 @pytest.mark.parametrize("key", ["w", "i"])
-async def test_an_alarm_is_acknowledged_where_it_is_read(server: RosbridgeServer, key: str) -> None:
-    async with console(config_of(server.url, 2)) as it:
-        server.world.robots["robot_1"].battery = 5.0
+async def test_an_alarm_is_acknowledged_where_it_is_read(key: str) -> None:
+    async with planted(2) as it:
+        it.fleet.world.robots["robot_1"].battery = 5.0
         await it.until(lambda state: state.unacknowledged)
         await it.press("!", key, "a")
         await it.until(lambda state: not state.unacknowledged)

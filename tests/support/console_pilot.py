@@ -5,7 +5,7 @@ import time
 import unicodedata
 from collections.abc import AsyncIterator, Callable, Iterable
 from contextlib import AsyncExitStack, asynccontextmanager
-from functools import partial
+from functools import cache, partial
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +17,7 @@ from textual.pilot import Pilot
 from textual.screen import Screen
 
 from fleet_tui.app import FleetApp
-from fleet_tui.backend import LiveBackend, connect_live
+from fleet_tui.backend import Backend, LiveBackend, connect_live
 from fleet_tui.cli.session import missing
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
@@ -26,9 +26,12 @@ from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath
 from fleet_tui.recording.recordings import Recordings
-from fleet_tui.themes import load_themes
+from fleet_tui.themes import FleetTheme, load_themes
 from fleet_tui.view.map.drawing import Drawing
+from tests.support.polling import HANGS
 from tests.support.watched_store import WatchedStore
+
+LOOK_EVERY = 0.05
 
 
 class Console:
@@ -139,14 +142,19 @@ class Console:
         await self.sees(lambda: any(label in self.pane("map") for label in labels), "a label on the map")
 
     async def sees(self, holds: Callable[[], bool], what: str) -> None:
-        def look(_state: FleetState) -> bool:
-            self.app.main.tick()
-            return holds()
+        """Wait until it is seen: a look is a whole picture, and of what comes at one moment one is enough."""
+        ends = time.monotonic() + HANGS
+        while not self._sees(holds):
+            if time.monotonic() > ends:
+                raise AssertionError(f"never seen: {what}\n{self.text}")
+            await asyncio.sleep(LOOK_EVERY)
 
+    def _sees(self, holds: Callable[[], bool]) -> bool:
+        self.app.main.tick()
         try:
-            await self.store.until(look)
-        except TimeoutError:
-            raise AssertionError(f"never seen: {what}\n{self.text}") from None
+            return holds()
+        except (LookupError, StopIteration):  # what is asked about is not there yet
+            return False
 
 
 def _waits(pump: MessagePump) -> bool:
@@ -193,16 +201,32 @@ async def console(
     opening = partial(recorded, recordings, None) if recordings else connect_live
     backend, files = LiveBackend(config, store, opening), files or ConsoleFiles()
     files.recordings = recordings
-    themes, _ = load_themes(None)
-    app = FleetApp(config, store, themes, Drawing.BRAILLE, colour=colour, backend=backend, files=files)
+    app = console_app(config, store, backend, files, colour)
     async with AsyncExitStack() as stack:
         if recordings:
             stack.callback(recordings.close)
-        pilot = await stack.enter_async_context(app.run_test(size=size))
-        running = Console(app, store, pilot)
+        it = await stack.enter_async_context(running(app, store, size))
+        if wait:
+            await it.until(_ready)
+            await it.shows_a_label()
+        yield it
+
+
+@cache
+def _themes() -> dict[str, FleetTheme]:
+    return load_themes(None)[0]
+
+
+def console_app(
+    config: Config, store: WatchedStore, backend: Backend, files: ConsoleFiles, colour: bool = True
+) -> FleetApp:
+    return FleetApp(config, store, _themes(), Drawing.BRAILLE, colour=colour, backend=backend, files=files)
+
+
+@asynccontextmanager
+async def running(app: FleetApp, store: WatchedStore, size: tuple[int, int]) -> AsyncIterator[Console]:
+    async with app.run_test(size=size) as pilot:
+        it = Console(app, store, pilot)
         _paints_nothing(app.main)
         app.keys.clock = lambda: 0.0  # keys come at times of their own, which no busy machine delays
-        if wait:
-            await running.until(_ready)
-            await running.shows_a_label()
-        yield running
+        yield it

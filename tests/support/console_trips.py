@@ -1,17 +1,14 @@
-"""Trips of orders on a console's screen."""
+"""Trips of orders that a console gave."""
 
-from fleet_tui.simulator.server import RosbridgeServer
-from tests.support.console_pilot import Console
-from tests.support.ordering import sent
+from fleet_tui.model.commands import PlaceOrder
+from tests.support.planted_console import PlantedConsole
 
 
-def trips(server: RosbridgeServer, it: Console) -> list[str]:
-    """The orders that reached the wire, by label."""
+def trips(it: PlantedConsole) -> list[str]:
+    """The orders that were handed to the backend, by label."""
+    robots = it.store.state.robots
     found = []
-    for name, args in sent(server):
-        assert name == "Execute_order"
-        robot = it.store.state.robots["robot_0"]
-        found.append(
-            f"{robot.name_of(str(args['initial_point']))} -> {robot.name_of(str(args['end_point']))}"
-        )
+    for command in it.sent:
+        assert isinstance(command, PlaceOrder)
+        found.append(" -> ".join(robots[command.robot].name_of(stop.vertex) or "" for stop in command.stops))
     return found

@@ -2,9 +2,11 @@
 
 from typing import Any
 
+from fleet_tui.model.commands import PlaceOrder
 from fleet_tui.rules.commands.checks import SAME_WITHIN
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import Console
+from tests.support.fleets import place_order
 
 
 def sent(server: RosbridgeServer) -> list[tuple[str, dict[str, Any]]]:
@@ -19,6 +21,11 @@ def vertex(it: Console, label: str, robot: str = "robot_0") -> int:
     """The id of a vertex as it is on the wire."""
     maps = it.store.state.robots[robot].maps.values()
     return next(int(id_) for robot_map in maps for id_, name in robot_map.labels.items() if name == label)
+
+
+def order(it: Console, *labels: str, robot: str = "robot_0") -> PlaceOrder:
+    """An order from one place to another, or of the cargo on board to one."""
+    return place_order(robot, *(vertex(it, label, robot) for label in labels))
 
 
 async def place(it: Console) -> None:

@@ -17,9 +17,11 @@ AWAY = place_order(R0, CONSUMIDORES, BASE)
 """robot_0 waits at Base: this one it has to drive for."""
 
 
-def driving(faults: str = "", command: Command = AWAY, then: str = "", **more: bool) -> Planted:
+def driving(
+    faults: str = "", command: Command = AWAY, then: str = "", quiet: bool = True, tells_pause: bool = True
+) -> Planted:
     """Three seconds into an order, and what happens then."""
-    planted = Planted(faults, **more).run(1).command(command).run(3)
+    planted = Planted(faults, quiet=quiet, tells_pause=tells_pause).run(1).command(command).run(3)
     planted.plant(then)
     return planted
 

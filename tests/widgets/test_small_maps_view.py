@@ -1,14 +1,12 @@
 """Small maps of other floors on a large screen; none on a small one, none without other floors."""
 
-from fleet_tui.simulator.server import RosbridgeServer
-from tests.support.console_pilot import console
-from tests.support.watched_store import config_of
+from tests.support.planted_console import planted
 
 LARGE = (200, 60)
 
 
-async def test_a_large_screen_shows_the_other_floor_and_a_click_goes_there(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 2, floors=2), LARGE) as it:
+async def test_a_large_screen_shows_the_other_floor_and_a_click_goes_there() -> None:
+    async with planted(2, 2, LARGE) as it:
         await it.shows("─ floor_1 ── robot_1 ─", "other-floors")
         await it.shows("Laundry", "other-floors")
         await it.shows("State  ", "page")
@@ -17,12 +15,9 @@ async def test_a_large_screen_shows_the_other_floor_and_a_click_goes_there(serve
         await it.shows("─ floor_0 ── robot_0 ─", "other-floors")
 
 
-async def test_below_the_map_of_a_large_fleet_the_other_floor_is_beside_the_last_events(
-    server: RosbridgeServer,
-) -> None:
-    async with console(config_of(server.url, 30, floors=2), LARGE, wait=False) as it:
-        await it.until(lambda _: it.app.main.is_complete)
-        await it.shows("─ floor_1 ── robot_1 ─", "other-floors-below")
+async def test_below_the_map_of_a_large_fleet_the_other_floor_is_beside_the_last_events() -> None:
+    async with planted(30, 2, LARGE) as it:
+        await it.shows("─ floor_1 ── 15 robots ─", "other-floors-below")
         below, recent = (it.app.main.query_one(name) for name in ("#other-floors-below", "#recent"))
         assert below.size.height == recent.size.height >= 14 and recent.region.right <= below.region.x
         assert not it.app.main.panes.small_maps.display
@@ -33,13 +28,11 @@ async def test_below_the_map_of_a_large_fleet_the_other_floor_is_beside_the_last
         await it.until(lambda _: it.app.main.panes.has_small_maps and below.region.height >= 14)
         await it.pilot.click("#other-floors-below", offset=(5, 5))
         await it.shows("─ floor_1 ", "map")
-        await it.shows("─ floor_0 ── robot_0 ─", "other-floors-below")
+        await it.shows("─ floor_0 ── 15 robots ─", "other-floors-below")
 
 
-async def test_neither_a_small_screen_nor_a_fleet_on_one_floor_has_small_maps(
-    server: RosbridgeServer,
-) -> None:
+async def test_neither_a_small_screen_nor_a_fleet_on_one_floor_has_small_maps() -> None:
     for floors, size in ((2, (80, 24)), (2, (120, 40)), (1, LARGE)):
-        async with console(config_of(server.url, 2, floors=floors), size) as it:
+        async with planted(2, floors, size) as it:
             await it.shows("Fleet")
             assert not it.app.main.panes.has_small_maps

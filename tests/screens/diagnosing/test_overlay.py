@@ -10,6 +10,7 @@ from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import console
 from tests.support.diagnostics_pane import OVERHEARD, listens, open_page, pane, say
+from tests.support.planted_console import planted
 from tests.support.watched_store import config_of
 
 BATTERY = "/robot_0/battery"
@@ -84,13 +85,13 @@ async def test_log_and_health_are_subscribed_while_it_is_open(server: RosbridgeS
         assert it.app.main.features.diagnostics.refreshing is not None
 
 
-async def test_the_mouse_outside_and_another_overlay_end_it_too(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 2, 2)) as it:
+async def test_the_mouse_outside_and_another_overlay_end_it_too() -> None:
+    async with planted(2, 2) as it:
         await it.press("d")
-        await listens(it, server)
+        await it.until(lambda _: it.backend.reads_logs)
         await it.press("f1")
         await it.shows("Diagnostics (d)")
-        await it.until(lambda _: not server.bridge.subscribers("/rosout"))
+        await it.until(lambda _: not it.backend.reads_logs)
         await it.until(lambda _: it.app.main.features.diagnostics.refreshing is None)
 
 
@@ -133,16 +134,16 @@ async def test_remapped_keys_work_and_show(server: RosbridgeServer) -> None:
         await it.hides("[3 Raw]")
 
 
-async def test_help_names_its_keys(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1)) as it:
+async def test_help_names_its_keys() -> None:
+    async with planted() as it:
         await it.press("d", "f1")
         await it.shows("Diagnostics (d)")
         await it.type("Freeze")
         await it.shows("Space f  Freeze or resume the message or the robot log")
 
 
-async def test_the_footer_names_no_key_that_does_nothing(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1)) as it:
+async def test_the_footer_names_no_key_that_does_nothing() -> None:
+    async with planted() as it:
         for opened in ("d", "o", ":"):
             await it.press(opened)
             await it.sees(lambda: " F12 pause all" in it.text.splitlines()[-1], "footer")

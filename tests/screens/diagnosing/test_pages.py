@@ -6,12 +6,12 @@ from collections.abc import Iterator
 
 import pytest
 
-from fleet_tui.backend import LiveBackend
 from fleet_tui.log_file import TAIL
 from fleet_tui.rules.alarms.trouble import in_trouble
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import console
 from tests.support.diagnostics_pane import lines, listens, open_page, pane, say
+from tests.support.planted_console import planted
 from tests.support.scenario import plant
 from tests.support.watched_store import config_of
 
@@ -97,9 +97,8 @@ async def test_the_log_of_a_robot_in_trouble_comes_first_and_esc_shows_all(serve
         assert " /robot_1: " not in pane(it)
 
 
-async def test_of_a_robot_in_trouble_it_opens_on_the_page_of_the_cause(server: RosbridgeServer) -> None:
-    plant(server, "battery:robot_1")
-    async with console(config_of(server.url, 2, 2)) as it:
+async def test_of_a_robot_in_trouble_it_opens_on_the_page_of_the_cause() -> None:
+    async with planted(2, 2, faults="battery:robot_1") as it:
         await it.until(lambda state: "robot_1" in in_trouble(state) and "robot_0" not in in_trouble(state))
         await it.press("d")
         await it.shows("[1 Link]")
@@ -118,9 +117,7 @@ async def test_the_console_on_itself(server: RosbridgeServer, own_log: logging.L
         assert re.search(r"process +\d+ threads", pane(it)) and "budget 100 ms" in pane(it)
 
 
-async def test_before_there_is_a_link_it_says_that_the_console_starts(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 2)) as it:
-        assert isinstance(it.app.backend, LiveBackend)
-        it.app.backend.links = None  # as before they were opened
+async def test_before_there_is_a_link_it_says_that_the_console_starts() -> None:
+    async with planted(2) as it:
         it.app.main.features.actions["diagnostics"]()
         await it.shows("console starting")

@@ -11,31 +11,27 @@ import pytest
 from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.controllers.history import replaying
 from fleet_tui.screens.history import overlay
-from fleet_tui.simulator.server import RosbridgeServer
-from tests.support.console_pilot import Console, console
+from tests.support.console_pilot import Console
 from tests.support.key_effects import overlays
 from tests.support.past import kept_history, put
+from tests.support.planted_console import planted
 from tests.support.shift import shift
-from tests.support.watched_store import config_of
 
 
 @asynccontextmanager
-async def past_console(
-    server: RosbridgeServer, folder: Path, size: tuple[int, int] = (120, 40)
-) -> AsyncIterator[Console]:
+async def past_console(folder: Path, size: tuple[int, int] = (120, 40)) -> AsyncIterator[Console]:
     """A console an hour after a shift began."""
     put(folder, [*shift(time.time() - 3600), *shift(time.time() - 3000, "robot_1")])
     files = ConsoleFiles()
     with kept_history(folder) as files.history:
-        wait = size[0] > 60  # of a small map no label is seen
-        async with console(config_of(server.url, 2, 2), size=size, files=files, wait=wait) as it:
+        async with planted(2, 2, size=size, files=files) as it:
             await it.press("H")
             await it.shows("link: up", "history-rows")
             yield it
 
 
-async def test_pages_by_keys_and_back(server: RosbridgeServer, tmp_path: Path) -> None:
-    async with past_console(server, tmp_path) as it:
+async def test_pages_by_keys_and_back(tmp_path: Path) -> None:
+    async with past_console(tmp_path) as it:
         assert "[1 Events]" in it.text and "to now" in it.text
         await it.press("2")
         await it.shows("█ blocked", "history-rows")
@@ -50,8 +46,8 @@ async def test_pages_by_keys_and_back(server: RosbridgeServer, tmp_path: Path) -
         assert overlays(it) == []
 
 
-async def test_a_filter_is_of_all_pages_and_is_cleared_first(server: RosbridgeServer, tmp_path: Path) -> None:
-    async with past_console(server, tmp_path) as it:
+async def test_a_filter_is_of_all_pages_and_is_cleared_first(tmp_path: Path) -> None:
+    async with past_console(tmp_path) as it:
         await it.press("slash")
         await it.type("robot_1 lost")
         await it.press("enter")
@@ -62,9 +58,9 @@ async def test_a_filter_is_of_all_pages_and_is_cleared_first(server: RosbridgeSe
 
 
 async def test_its_rows_are_sorted_marked_and_copied_like_those_of_every_table(
-    server: RosbridgeServer, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    async with past_console(server, tmp_path) as it:
+    async with past_console(tmp_path) as it:
         sent: list[str] = []
         monkeypatch.setattr(it.app._driver, "write", sent.append)
         await it.press("S")
@@ -80,8 +76,8 @@ async def test_its_rows_are_sorted_marked_and_copied_like_those_of_every_table(
         await it.hides("kind:order")
 
 
-async def test_another_time_is_read(server: RosbridgeServer, tmp_path: Path) -> None:
-    async with past_console(server, tmp_path) as it:
+async def test_another_time_is_read(tmp_path: Path) -> None:
+    async with past_console(tmp_path) as it:
         await it.press("minus")
         await it.shows("8 h to now")
         await it.press(*["comma"] * 3)
@@ -92,10 +88,8 @@ async def test_another_time_is_read(server: RosbridgeServer, tmp_path: Path) -> 
         await it.shows("15 min to now")
 
 
-async def test_enter_on_a_robot_shows_its_curve_or_its_events(
-    server: RosbridgeServer, tmp_path: Path
-) -> None:
-    async with past_console(server, tmp_path) as it:
+async def test_enter_on_a_robot_shows_its_curve_or_its_events(tmp_path: Path) -> None:
+    async with past_console(tmp_path) as it:
         await it.press("3")
         await it.shows("robot_1", "history-rows")
         await it.press("enter")
@@ -111,7 +105,7 @@ async def test_enter_on_a_robot_shows_its_curve_or_its_events(
 
 
 async def test_one_key_from_an_alarm_opens_the_recording(
-    server: RosbridgeServer, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     ran: list[Sequence[str]] = []
     tape = tmp_path / "a.jsonl.gz"
@@ -122,7 +116,7 @@ async def test_one_key_from_an_alarm_opens_the_recording(
         return ""
 
     monkeypatch.setattr(overlay, "run_in_terminal", run)
-    async with past_console(server, tmp_path) as it:
+    async with past_console(tmp_path) as it:
         await it.press("4")
         await it.shows("stuck robot_0", "history-rows")
         await it.press("o")
@@ -130,15 +124,15 @@ async def test_one_key_from_an_alarm_opens_the_recording(
         assert ran == []  # under a pilot there is no terminal to give
 
 
-async def test_a_console_without_a_history_says_so(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 2, 2)) as it:
+async def test_a_console_without_a_history_says_so() -> None:
+    async with planted(2, 2) as it:
         await it.press("H")
         await it.shows("this console keeps no history: set days in [history]", "history-rows")
 
 
 @pytest.mark.parametrize("size", [(60, 15), (80, 24), (200, 60)])
-async def test_at_every_size(server: RosbridgeServer, tmp_path: Path, size: tuple[int, int]) -> None:
-    async with past_console(server, tmp_path, size) as it:
+async def test_at_every_size(tmp_path: Path, size: tuple[int, int]) -> None:
+    async with past_console(tmp_path, size) as it:
         for page in "2345":
             await it.press(page)
         await it.shows("blocked here" if size[0] > 60 else "Places", "history-rows")

@@ -7,21 +7,21 @@ from textual.app import App
 from textual.widgets import Input
 
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.simulator.server import RosbridgeServer
-from tests.support.console_pilot import Console, console
-from tests.support.ordering import sent, vertex
+from tests.support.console_pilot import Console
+from tests.support.ordering import order
+from tests.support.planted_console import planted
 from tests.support.polling import HANGS
-from tests.support.watched_store import config_of
 
 
 def has_value(it: Console, field: str, _: FleetState) -> bool:
     return it.app.main.query_one(f"#{field}", Input).value != ""
 
 
-async def test_an_order_by_mouse_alone(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1)) as it:
+async def test_an_order_by_mouse_alone() -> None:
+    async with planted() as it:
         it.app.main.features.orders.start()
         await it.shows("Charger ", "matches")
+        await it.settled()
         for field in ("from", "to"):
             rows = it.app.main.query_one("#matches")
             labels = [rows.render_line(y).text for y in range(rows.size.height)]
@@ -31,15 +31,14 @@ async def test_an_order_by_mouse_alone(server: RosbridgeServer) -> None:
             # The list is that of the next field then.
             await it.until(partial(has_value, it, field))
         await it.shows("Enter  send")
-        assert it.app.main.query_one("#to", Input).value == "Charger" and sent(server) == []
+        assert it.app.main.query_one("#to", Input).value == "Charger" and it.sent == []
         await it.pilot.click("#send")
         await it.until(lambda state: state.commands and state.commands[-1].is_decided)
-        ids = {"initial_point": vertex(it, "Base"), "end_point": vertex(it, "Charger")}
-        assert sent(server) == [("Execute_order", ids)]
+        assert it.sent == [order(it, "Base", "Charger")]
 
 
-async def test_an_arrow_marks_a_choice_where_nothing_is_typed(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1)) as it:
+async def test_an_arrow_marks_a_choice_where_nothing_is_typed() -> None:
+    async with planted() as it:
         await it.press("o", "down")
         await it.shows("Base ", "matches")
         rows = it.app.main.query_one("#matches")
@@ -48,21 +47,21 @@ async def test_an_arrow_marks_a_choice_where_nothing_is_typed(server: RosbridgeS
         await it.type("Consumidores")
         await it.press("enter")
         await it.until(lambda state: state.commands and state.commands[-1].is_decided)
-        ids = {"initial_point": vertex(it, first), "end_point": vertex(it, "Consumidores")}
-        assert sent(server) == [("Execute_order", ids)]
+        assert it.sent == [order(it, first, "Consumidores")]
 
 
 async def test_a_double_click_on_a_destination_sends_and_one_on_a_start_does_not(
-    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     # Two clicks at one place are a double one, however busy the machine is.
     monkeypatch.setattr(App, "CLICK_CHAIN_TIME_THRESHOLD", HANGS)
-    async with console(config_of(server.url, 1)) as it:
+    async with planted() as it:
         it.app.main.features.orders.start()
         await it.shows("Charger ", "matches")
+        await it.settled()
         await it.pilot.double_click("#matches", offset=(3, 0))
         await it.until(lambda _: it.app.main.query_one("#from", Input).value)
         assert not it.app.main.query_one("#to", Input).value
         await it.pilot.double_click("#matches", offset=(3, 1))
         await it.until(lambda state: state.commands and state.commands[-1].is_decided)
-        assert len(sent(server)) == 1
+        assert len(it.sent) == 1

@@ -2,10 +2,9 @@
 
 import pytest
 
-from fleet_tui.simulator.server import RosbridgeServer
-from tests.support.console_pilot import Console, console
+from tests.support.console_pilot import Console
 from tests.support.ordering import place
-from tests.support.watched_store import config_of
+from tests.support.planted_console import planted
 
 
 def scene_of(it: Console) -> tuple[tuple[str, ...], int]:
@@ -15,8 +14,8 @@ def scene_of(it: Console) -> tuple[tuple[str, ...], int]:
     return scene.target_vertices, len(scene.mission.current) if scene.mission else 0
 
 
-async def test_the_marked_place_stands_out_and_the_way_has_a_length(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1), (120, 40)) as it:
+async def test_the_marked_place_stands_out_and_the_way_has_a_length() -> None:
+    async with planted(1, 1, (120, 40)) as it:
         await it.press("o")
         await it.type("Base")
         await it.until(lambda _: scene_of(it) == (("0", "0"), 0))
@@ -29,8 +28,8 @@ async def test_the_marked_place_stands_out_and_the_way_has_a_length(server: Rosb
         await it.until(lambda _: scene_of(it) == ((), 0))
 
 
-async def test_the_way_of_the_current_order_stays_until_a_place_is_typed(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1), (120, 40)) as it:
+async def test_the_way_of_the_current_order_stays_until_a_place_is_typed() -> None:
+    async with planted(1, 1, (120, 40)) as it:
         await place(it)
         await it.until(lambda _: scene_of(it)[1] > 2)
         await it.press("o")
@@ -41,16 +40,16 @@ async def test_the_way_of_the_current_order_stays_until_a_place_is_typed(server:
 
 
 @pytest.mark.parametrize("size", [(120, 40), (80, 24)])
-async def test_the_form_leaves_the_map_free(server: RosbridgeServer, size: tuple[int, int]) -> None:
-    async with console(config_of(server.url, 1), size) as it:
+async def test_the_form_leaves_the_map_free(size: tuple[int, int]) -> None:
+    async with planted(1, 1, size) as it:
         await it.press("o")
         form, map_view = it.app.main.features.order_form, it.app.main.features.map
         await it.until(lambda _: form.region and not form.region.overlaps(map_view.region))
         assert form.region.bottom <= size[1]
 
 
-async def test_a_place_of_another_floor_is_shown_on_its_floor(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1, 2), (120, 40)) as it:
+async def test_a_place_of_another_floor_is_shown_on_its_floor() -> None:
+    async with planted(1, 2, (120, 40)) as it:
         await it.press("o")
         await it.type("Dock")
         await it.shows("floor_1 ─", "map")

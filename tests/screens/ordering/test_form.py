@@ -3,11 +3,14 @@
 import msgspec
 from textual.widgets import Button, Input
 
+from fleet_tui.config.start import extended
+from fleet_tui.model.commands import CancelOrder, PauseRobot, ResumeRobot
 from fleet_tui.model.link import Phase
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import console
-from tests.support.ordering import one_packet, place, sent, vertex
+from tests.support.ordering import one_packet, order, place, sent, vertex
+from tests.support.planted_console import SITE, planted
 from tests.support.watched_store import config_of
 
 
@@ -25,34 +28,33 @@ async def test_an_order_by_keyboard_is_driven_and_leaves_the_queue(server: Rosbr
         await it.shows("no orders", "queue")
 
 
-async def test_keys_typed_right_after_o_belong_to_the_form(server: RosbridgeServer) -> None:
+async def test_keys_typed_right_after_o_belong_to_the_form() -> None:
     """`p`, `x`, `P` in a label must not pause or cancel."""
-    async with console(config_of(server.url, 1)) as it:
+    async with planted() as it:
         one_packet(it, "opxP")
         await it.shows("pxP")
-        assert sent(server) == []
+        assert it.sent == []
 
 
-async def test_a_robot_that_is_selected_in_the_same_packet_gets_the_order(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 2)) as it:
+async def test_a_robot_that_is_selected_in_the_same_packet_gets_the_order() -> None:
+    async with planted(2) as it:
         for keys, robot in (("]oBase\rConsumidores\r", "robot_1"), ("[oBase\rConsumidores\r", "robot_0")):
-            server.bridge.services.calls.clear()
+            it.sent.clear()
             one_packet(it, keys)
-            await it.until(lambda _: server.bridge.services.calls)
-            assert server.bridge.services.calls[0][0].startswith(f"/{robot}/")
+            await it.until(lambda _: it.sent)
+            assert it.sent == [order(it, "Base", "Consumidores", robot=robot)]
 
 
-async def test_a_whole_order_in_one_packet(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1)) as it:
+async def test_a_whole_order_in_one_packet() -> None:
+    async with planted() as it:
         one_packet(it, "oBase\rConsumidores\rp")
         await it.shows("1 key dropped, typed on after Enter")
-        await it.until(lambda _: server.bridge.services.calls)
-        start, end = vertex(it, "Base"), vertex(it, "Consumidores")
-        assert sent(server) == [("Execute_order", {"initial_point": start, "end_point": end})]
+        await it.until(lambda _: it.sent)
+        assert it.sent == [order(it, "Base", "Consumidores")]
 
 
-async def test_all_robots_orders_and_a_cancel_of_anothers(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 2, 2)) as it:
+async def test_all_robots_orders_and_a_cancel_of_anothers() -> None:
+    async with planted(2, 2) as it:
         await it.press("1")
         await place(it)
         await it.shows("Base -> Consumidores", "queue")
@@ -60,28 +62,28 @@ async def test_all_robots_orders_and_a_cancel_of_anothers(server: RosbridgeServe
         await it.shows("robot_1 #", "queue")
         await it.press("x", "y")
         await it.until(lambda state: not state.robots["robot_1"].orders.orders)
+        assert it.sent[1:] == [CancelOrder("robot_1", "1")]
 
 
-async def test_pause_and_resume_at_once_and_pause_all_from_everywhere(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 2, 2)) as it:
+async def test_pause_and_resume_at_once_and_pause_all_from_everywhere() -> None:
+    async with planted(2, 2) as it:
         await it.press("p")
         await it.shows("paused", "fleet")
         await it.press("r")
         await it.until(lambda state: not (paused := state.robots["robot_0"].paused) or not paused.value)
         for opened in (["P"], ["o", "f12"], ["question_mark", "f12"], ["colon", "f12"], ["s", "f12"]):
-            server.bridge.services.calls.clear()
+            it.sent.clear()
             await it.press(*opened)
-            await it.until(lambda _: len(server.bridge.services.calls) == 2)
-            assert {name for name, _ in sent(server)} == {"Pause"}
+            assert it.sent == [PauseRobot("robot_0"), PauseRobot("robot_1")]
             await it.press("escape", "escape")
 
 
-async def test_ctrl_c_commands_nothing_and_does_not_leave(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1)) as it:
+async def test_ctrl_c_commands_nothing_and_does_not_leave() -> None:
+    async with planted() as it:
         await it.press("ctrl+c")
         await it.shows("Queue robot_0")
         assert it.app.is_running
-        assert sent(server) == []
+        assert it.sent == []
 
 
 async def test_a_refusal_stands_in_the_robots_own_words(server: RosbridgeServer) -> None:
@@ -150,29 +152,27 @@ async def test_read_only_stands_on_the_screen(server: RosbridgeServer) -> None:
         assert sent(server) == []
 
 
-async def test_a_console_that_is_not_armed_sends_nothing_but_pauses_until_it_is(
-    server: RosbridgeServer,
-) -> None:
-    config = config_of(server.url, 1)
+async def test_a_console_that_is_not_armed_sends_nothing_but_pauses_until_it_is() -> None:
+    config = config_of(SITE, 1)
     config = msgspec.structs.replace(config, operator=msgspec.structs.replace(config.operator, armed=False))
-    async with console(config) as it:
+    async with planted(config=config) as it:
         await it.shows("not armed")
         await it.press("r")
         await it.shows("not sent: this console is not armed")
-        assert sent(server) == []
+        assert it.sent == []
         await it.press("p")
-        await it.until(lambda _: sent(server) == [("Pause", {})])
-        server.bridge.services.calls.clear()
+        await it.until(lambda _: it.sent == [PauseRobot("robot_0")])
+        it.sent.clear()
         await it.press("colon")
         await it.type("arm")
         await it.press("enter")
         await it.hides("not armed")
         await it.press("r")
-        await it.until(lambda _: sent(server) == [("Resume", {})])
+        await it.until(lambda _: it.sent == [ResumeRobot("robot_0")])
 
 
-async def test_the_send_button_does_what_enter_does(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1)) as it:
+async def test_the_send_button_does_what_enter_does() -> None:
+    async with planted() as it:
         await it.press("o")
         # Not by a click at a place: the button moves with the number of matches above it.
         for label in ("Base", "Store"):
@@ -180,12 +180,12 @@ async def test_the_send_button_does_what_enter_does(server: RosbridgeServer) -> 
             it.app.main.query_one("#send", Button).press()
             await it.settled()
         await it.until(lambda state: state.commands and state.commands[-1].is_decided)
-        assert [name for name, _ in sent(server)] == ["Execute_order"]
+        assert it.sent == [order(it, "Base", "Store")]
 
 
-async def test_a_vertex_chosen_by_key_is_meant_even_where_a_robot_stands(server: RosbridgeServer) -> None:
+async def test_a_vertex_chosen_by_key_is_meant_even_where_a_robot_stands() -> None:
     """robot_0 waits at Base."""
-    async with console(config_of(server.url, 1)) as it:
+    async with planted() as it:
         it.app.main.features.map_controls.next_vertex(1)
         scene = it.app.main.features.map.picture.scene
         assert scene is not None
@@ -199,19 +199,17 @@ async def test_a_vertex_chosen_by_key_is_meant_even_where_a_robot_stands(server:
         assert it.app.main.query_one("#from", Input).value == "Base"
 
 
-async def test_a_robot_without_a_graph_has_no_places_and_the_form_says_so(server: RosbridgeServer) -> None:
-    last = len(server.world.robots)  # one more than there are
-    async with console(config_of(server.url, last + 1), wait=False) as it:
-        await it.until(lambda _: it.app.main.is_complete)
-        await it.until(lambda state: state.links["rosbridge"].phase is Phase.UP)
+async def test_a_robot_without_a_graph_has_no_places_and_the_form_says_so() -> None:
+    async with planted(2) as it:
+        it.store.put(extended(it.store.state, config_of(SITE, 3)))
         await it.press("[", "o")
-        await it.shows(f"robot_{last} has no route graph yet")
+        await it.shows("robot_2 has no route graph yet")
         await it.press("B", "enter")
-        await it.shows(f"robot_{last} has no route graph yet")
+        await it.shows("robot_2 has no route graph yet")
 
 
-async def test_the_form_is_beside_the_map_where_the_fleet_is(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 2, floors=2), (80, 24)) as it:
+async def test_the_form_is_beside_the_map_where_the_fleet_is() -> None:
+    async with planted(2, 2, (80, 24)) as it:
         view, form = it.app.main.features.map, it.app.main.features.order_form
         await it.shows("Base", "map")
         await it.shows("Recent")
@@ -224,8 +222,8 @@ async def test_the_form_is_beside_the_map_where_the_fleet_is(server: RosbridgeSe
         assert form.region.bottom == 22, "message and keys stay"
 
 
-async def test_the_map_keeps_its_scale_while_the_form_covers_a_part_of_it(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 2, floors=2), (70, 24)) as it:
+async def test_the_map_keeps_its_scale_while_the_form_covers_a_part_of_it() -> None:
+    async with planted(2, 2, (70, 24)) as it:
         view = it.app.main.features.map
 
         def scale() -> float:
@@ -245,8 +243,8 @@ async def test_the_map_keeps_its_scale_while_the_form_covers_a_part_of_it(server
         assert scale() == before
 
 
-async def test_a_name_that_is_no_place_is_told_while_it_is_typed(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1)) as it:
+async def test_a_name_that_is_no_place_is_told_while_it_is_typed() -> None:
+    async with planted() as it:
         await it.press("o")
         await it.type("Consumidorez")
         await it.shows("From: no match for 'Consumidorez', did you mean Consumidores?")

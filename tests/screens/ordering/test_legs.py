@@ -4,15 +4,13 @@ import pytest
 from textual.widgets import Input
 
 from fleet_tui.model.events import LabelsReceived
-from fleet_tui.simulator.server import RosbridgeServer
-from tests.support.console_pilot import console
-from tests.support.ordering import sent, vertex
-from tests.support.watched_store import config_of
+from tests.support.ordering import order
+from tests.support.planted_console import planted
 
 
-async def test_with_cargo_and_no_orders_from_is_here_and_enter_passes_it(server: RosbridgeServer) -> None:
-    server.world.robots["robot_0"].cargo = True
-    async with console(config_of(server.url, 1)) as it:
+async def test_with_cargo_and_no_orders_from_is_here_and_enter_passes_it() -> None:
+    async with planted() as it:
+        it.fleet.world.robots["robot_0"].cargo = True
         await it.until(lambda state: state.robots["robot_0"].has_cargo)
         await it.press("o")
         await it.shows("Destination of the cargo")
@@ -21,13 +19,12 @@ async def test_with_cargo_and_no_orders_from_is_here_and_enter_passes_it(server:
         await it.type("Base")
         await it.press("enter")
         await it.until(lambda state: state.commands and state.commands[-1].is_decided)
-        wanted = {"agent": "robot_0", "end_point": vertex(it, "Base")}
-        assert sent(server) == [("Execute_order_with_cargo", wanted)]
+        assert it.sent == [order(it, "Base")]
 
 
-async def test_another_start_than_here_is_asked_about(server: RosbridgeServer) -> None:
-    server.world.robots["robot_0"].cargo = True
-    async with console(config_of(server.url, 1)) as it:
+async def test_another_start_than_here_is_asked_about() -> None:
+    async with planted() as it:
+        it.fleet.world.robots["robot_0"].cargo = True
         await it.until(lambda state: state.robots["robot_0"].has_cargo)
         await it.press("o")
         await it.type("Base")
@@ -35,45 +32,44 @@ async def test_another_start_than_here_is_asked_about(server: RosbridgeServer) -
         await it.type("Packing")
         await it.press("enter")
         await it.shows("robot_0 carries cargo: drive to Base first?")
-        assert sent(server) == []
+        assert it.sent == []
         await it.press("y")
         await it.until(lambda state: state.commands and state.commands[-1].is_decided)
-        ids = {"initial_point": vertex(it, "Base"), "end_point": vertex(it, "Packing")}
-        assert sent(server) == [("Execute_order", ids)]
+        assert it.sent == [order(it, "Base", "Packing")]
 
 
-async def test_cargo_that_came_on_board_meanwhile_is_asked_about(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1)) as it:
+async def test_cargo_that_came_on_board_meanwhile_is_asked_about() -> None:
+    async with planted() as it:
         await it.press("o")
         await it.type("Base")
         await it.press("enter")
         await it.type("Store")
-        server.world.robots["robot_0"].cargo = True
+        it.fleet.world.robots["robot_0"].cargo = True
         await it.until(lambda state: state.robots["robot_0"].has_cargo)
         await it.press("enter")
         await it.shows("robot_0 carries cargo: drive to Base first?")
-        assert sent(server) == []
+        assert it.sent == []
 
 
-async def test_cargo_that_left_meanwhile_needs_a_start(server: RosbridgeServer) -> None:
-    server.world.robots["robot_0"].cargo = True
-    async with console(config_of(server.url, 1)) as it:
+async def test_cargo_that_left_meanwhile_needs_a_start() -> None:
+    async with planted() as it:
+        it.fleet.world.robots["robot_0"].cargo = True
         await it.until(lambda state: state.robots["robot_0"].has_cargo)
         await it.press("o", "enter")
         await it.type("Store")
-        server.world.robots["robot_0"].cargo = False
+        it.fleet.world.robots["robot_0"].cargo = False
         await it.until(lambda state: not state.robots["robot_0"].has_cargo)
         await it.press("enter")
         await it.shows("From is missing")
-        assert sent(server) == []
+        assert it.sent == []
 
 
 @pytest.mark.parametrize("is_seen_first", [True, False])
 @pytest.mark.parametrize("field", ["from", "to"])
 async def test_a_place_that_got_another_id_while_the_form_is_open_must_be_chosen_again(
-    server: RosbridgeServer, field: str, is_seen_first: bool
+    field: str, is_seen_first: bool
 ) -> None:
-    async with console(config_of(server.url, 1)) as it:
+    async with planted() as it:
         ids = it.store.state.robots["robot_0"].maps["floor_0"].labels
         swapped = {"Base": "Packing", "Packing": "Base"}
         await it.press("o")
@@ -86,16 +82,16 @@ async def test_a_place_that_got_another_id_while_the_form_is_open_must_be_chosen
             await it.shows("Base: changed meanwhile, choose again")
         await it.press("enter")
         await it.shows("Base: changed meanwhile, choose again")
-        assert sent(server) == []
+        assert it.sent == []
 
 
-async def test_notices_of_the_form_are_those_of_now(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1)) as it:
+async def test_notices_of_the_form_are_those_of_now() -> None:
+    async with planted() as it:
         await it.press("o")
-        server.world.robots["robot_0"].battery = 5.0
+        it.fleet.world.robots["robot_0"].battery = 5.0
         await it.shows("battery of robot_0: 5 %", "missing")
-        server.world.robots["robot_0"].paused = True
+        it.fleet.world.robots["robot_0"].paused = True
         await it.shows("robot_0 is paused", "missing")
-        server.world.robots["robot_0"].paused = False
-        server.world.robots["robot_0"].battery = 80.0
+        it.fleet.world.robots["robot_0"].paused = False
+        it.fleet.world.robots["robot_0"].battery = 80.0
         await it.hides("robot_0", "missing")

@@ -7,12 +7,10 @@ from fleet_tui.audit.file import FILE_NAME, audit_file
 from fleet_tui.audit.log import Audit, encode
 from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.model.commands import Stage
-from fleet_tui.simulator.server import RosbridgeServer
-from tests.support.console_pilot import console
-from tests.support.watched_store import config_of
+from tests.support.planted_console import planted
 
 
-async def test_orders_of_earlier_sessions_are_offered(server: RosbridgeServer, tmp_path: Path) -> None:
+async def test_orders_of_earlier_sessions_are_offered(tmp_path: Path) -> None:
     earlier = Origin("ana", "host:1", "earlier")
     ends = {"start": "0", "start_label": "Base", "end": "9", "end_label": "Store"}
     records = [
@@ -23,7 +21,7 @@ async def test_orders_of_earlier_sessions_are_offered(server: RosbridgeServer, t
     audit = Audit(audit_file(tmp_path / FILE_NAME), Origin("ana", "host:1", "now"))
     files = ConsoleFiles()
     files.audit = audit
-    async with console(config_of(server.url, 1), files=files) as it:
+    async with planted(files=files) as it:
         await it.press("o")
         await it.shows("Base -> Store  (last)", "matches")
         await it.press("escape")

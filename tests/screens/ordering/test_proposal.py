@@ -2,10 +2,9 @@
 
 from textual.widgets import Input
 
-from fleet_tui.simulator.server import RosbridgeServer
-from tests.support.console_pilot import Console, console
-from tests.support.ordering import sent
-from tests.support.watched_store import config_of
+from tests.support.console_pilot import Console
+from tests.support.ordering import order
+from tests.support.planted_console import planted
 
 
 async def empty_robot(it: Console) -> None:
@@ -13,8 +12,8 @@ async def empty_robot(it: Console) -> None:
     await it.press("o", "shift+tab", "delete")
 
 
-async def test_an_empty_robot_proposes_the_nearest_idle_one_and_asks(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 2, 2)) as it:
+async def test_an_empty_robot_proposes_the_nearest_idle_one_and_asks() -> None:
+    async with planted(2, 2) as it:
         await empty_robot(it)
         await it.shows("anyone: the nearest idle robot", "matches")
         await it.press("enter")
@@ -26,15 +25,15 @@ async def test_an_empty_robot_proposes_the_nearest_idle_one_and_asks(server: Ros
         await it.press("enter")
         await it.shows("robot_0 order Base -> Consumidores?")
         await it.shows("Nearest idle, 0 m away")
-        assert sent(server) == []
+        assert it.sent == []
         await it.press("y")
         await it.until(lambda state: state.commands and state.commands[-1].is_decided)
-        assert [name for name, _ in sent(server)] == ["Execute_order"]
+        assert it.sent == [order(it, "Base", "Consumidores")]
         assert not it.app.main.features.order_form.is_open
 
 
-async def test_a_busy_robot_is_passed_over_and_no_is_the_default(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 2, 2)) as it:
+async def test_a_busy_robot_is_passed_over_and_no_is_the_default() -> None:
+    async with planted(2, 2) as it:
         await it.press("o")
         await it.type("Base")
         await it.press("enter")
@@ -52,11 +51,11 @@ async def test_a_busy_robot_is_passed_over_and_no_is_the_default(server: Rosbrid
         await it.shows("robot_1 order Base -> Consumidores?")
         await it.shows("Nearest idle, ")
         await it.press("enter")
-        assert [name for name, _ in sent(server)] == ["Execute_order"], "the first order alone"
+        assert it.sent == [order(it, "Base", "Store")], "the first order alone"
 
 
-async def test_without_an_idle_robot_the_form_says_why(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 2, 2)) as it:
+async def test_without_an_idle_robot_the_form_says_why() -> None:
+    async with planted(2, 2) as it:
         await it.press("P")
         await it.until(lambda state: all(state.is_paused(one) for one in state.robots.values()))
         await empty_robot(it)
@@ -70,8 +69,8 @@ async def test_without_an_idle_robot_the_form_says_why(server: RosbridgeServer) 
         assert it.app.main.features.order_form.is_open
 
 
-async def test_a_robot_named_again_hides_the_proposal(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 2, 2)) as it:
+async def test_a_robot_named_again_hides_the_proposal() -> None:
+    async with planted(2, 2) as it:
         await empty_robot(it)
         await it.press("enter")
         await it.type("Base")
@@ -82,8 +81,8 @@ async def test_a_robot_named_again_hides_the_proposal(server: RosbridgeServer) -
         assert it.app.main.query_one("#robot", Input).value == "robot_1"
 
 
-async def test_a_name_that_is_no_robot_has_no_places(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 2, 2)) as it:
+async def test_a_name_that_is_no_robot_has_no_places() -> None:
+    async with planted(2, 2) as it:
         await empty_robot(it)
         await it.shows("Order for the nearest idle robot")
         await it.type("nobody")
@@ -93,8 +92,8 @@ async def test_a_name_that_is_no_robot_has_no_places(server: RosbridgeServer) ->
         await it.shows("From: no match for 'Base'")
 
 
-async def test_anyone_is_typed_in_the_palette_and_asks(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 2, 2)) as it:
+async def test_anyone_is_typed_in_the_palette_and_asks() -> None:
+    async with planted(2, 2) as it:
         await it.press(":")
         await it.type("anyone Base Consumidores")
         await it.shows("nearest idle robot: Base -> Consumidores")
@@ -103,4 +102,4 @@ async def test_anyone_is_typed_in_the_palette_and_asks(server: RosbridgeServer) 
         await it.shows("Nearest idle, 0 m away")
         await it.press("y")
         await it.until(lambda state: state.commands and state.commands[-1].is_decided)
-        assert [name for name, _ in sent(server)] == ["Execute_order"]
+        assert it.sent == [order(it, "Base", "Consumidores")]

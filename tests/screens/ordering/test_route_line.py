@@ -1,13 +1,11 @@
 """The length of the typed order's way."""
 
 from fleet_tui.screens.ordering.route_line import show_route
-from fleet_tui.simulator.server import RosbridgeServer
-from tests.support.console_pilot import console
-from tests.support.watched_store import config_of
+from tests.support.planted_console import planted
 
 
-async def test_the_way_is_shown_while_it_is_typed_and_gone_with_the_form(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1)) as it:
+async def test_the_way_is_shown_while_it_is_typed_and_gone_with_the_form() -> None:
+    async with planted() as it:
         form = it.app.main.features.order_form
         assert show_route(form, it.store.state) is None and form.route.content == ""
         await it.press("o")

@@ -1,13 +1,10 @@
 """From filled fields to an order: the first field that lacks a place is named."""
 
-from fleet_tui.simulator.server import RosbridgeServer
-from tests.support.console_pilot import console
-from tests.support.ordering import sent
-from tests.support.watched_store import config_of
+from tests.support.planted_console import planted
 
 
-async def test_what_is_missing_is_named(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1)) as it:
+async def test_what_is_missing_is_named() -> None:
+    async with planted() as it:
         await it.press("o", "enter")
         await it.shows("From is missing")
         await it.type("zzz")
@@ -22,4 +19,4 @@ async def test_what_is_missing_is_named(server: RosbridgeServer) -> None:
         await it.shows("same place")
         await it.press("escape")
         await it.hides("To is missing")
-        assert sent(server) == []
+        assert it.sent == []

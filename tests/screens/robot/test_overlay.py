@@ -1,12 +1,10 @@
 """Overlays about the selected robot: its keys work in them, and one leads to the other."""
 
-from fleet_tui.simulator.server import RosbridgeServer
-from tests.support.console_pilot import console
-from tests.support.watched_store import config_of
+from tests.support.planted_console import planted
 
 
-async def test_reasons_and_page_lead_to_each_other_and_back_to_the_focus(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 2)) as it:
+async def test_reasons_and_page_lead_to_each_other_and_back_to_the_focus() -> None:
+    async with planted(2) as it:
         rest = it.app.main.features
         await it.press("tab")
         before = it.app.main.focused
@@ -18,8 +16,8 @@ async def test_reasons_and_page_lead_to_each_other_and_back_to_the_focus(server:
         assert it.app.main.focused is before
 
 
-async def test_its_own_key_and_q_close_it(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1)) as it:
+async def test_its_own_key_and_q_close_it() -> None:
+    async with planted() as it:
         for opener, overlay in (("w", it.app.main.features.why), ("i", it.app.main.features.robot_page)):
             for closer in (opener, "q", "escape"):
                 await it.press(opener)
@@ -28,8 +26,8 @@ async def test_its_own_key_and_q_close_it(server: RosbridgeServer) -> None:
                 assert not overlay.is_open
 
 
-async def test_the_footer_names_what_works_in_there_but_not_its_own_key(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 2), (200, 40)) as it:
+async def test_the_footer_names_what_works_in_there_but_not_its_own_key() -> None:
+    async with planted(2, 1, (200, 40)) as it:
         await it.press("i")
         await it.shows(" Esc close  . robot ", "hints")
         assert " o order " in it.pane("hints") and " w why " in it.pane("hints")

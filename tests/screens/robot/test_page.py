@@ -5,12 +5,10 @@ from pathlib import Path
 import pytest
 
 from fleet_tui.audit.log import auditing
+from fleet_tui.model.commands import PauseRobot, ResumeRobot
 from fleet_tui.model.events import TimePassed
-from fleet_tui.simulator.server import RosbridgeServer
-from tests.support.console_menus import in_the_way
-from tests.support.console_pilot import console
 from tests.support.fleets import R0, T0, WALL, battery, link_up, pose
-from tests.support.ordering import sent
+from tests.support.planted_console import SITE, in_the_way, planted
 from tests.support.replay_console import replayed
 from tests.support.tapes import MadeUp
 from tests.support.watched_store import config_of
@@ -19,8 +17,8 @@ TEXT = "robot-page-text"
 
 
 @pytest.mark.parametrize("size", [(60, 16), (80, 24), (120, 40), (200, 60)])
-async def test_it_leaves_the_usual_lines_in_view(server: RosbridgeServer, size: tuple[int, int]) -> None:
-    async with console(config_of(server.url, 2, 2), size) as it:
+async def test_it_leaves_the_usual_lines_in_view(size: tuple[int, int]) -> None:
+    async with planted(2, 2, size) as it:
         await it.press("i")
         await it.shows("100 %", TEXT)
         assert "robot_0  oh_ressources" in it.pane("robot-page-title")
@@ -32,10 +30,8 @@ async def test_it_leaves_the_usual_lines_in_view(server: RosbridgeServer, size: 
         await it.hides("─ Battery")
 
 
-async def test_the_map_stays_in_view_where_the_tables_have_space_for_the_page(
-    server: RosbridgeServer,
-) -> None:
-    async with console(config_of(server.url, 2, 2), (200, 60)) as it:
+async def test_the_map_stays_in_view_where_the_tables_have_space_for_the_page() -> None:
+    async with planted(2, 2, (200, 60)) as it:
         await it.press("i")
         await it.shows("100 %", TEXT)
         page, picture = it.app.main.features.robot_page.region, it.app.main.query_one("#map").region
@@ -45,14 +41,14 @@ async def test_the_map_stays_in_view_where_the_tables_have_space_for_the_page(
         assert (
             it.pane(TEXT).index("─ State") < it.pane(TEXT).index("─ Battery") < it.pane(TEXT).index("─ Route")
         )
-    async with console(config_of(server.url, 2, 2), (200, 40)) as it:
+    async with planted(2, 2, (200, 40)) as it:
         await it.press("i")
         await it.shows("100 %", TEXT)
         assert it.app.main.features.robot_page.region.width == 200
 
 
-async def test_it_goes_on_to_the_next_robot_from_the_top(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 2), (80, 24)) as it:
+async def test_it_goes_on_to_the_next_robot_from_the_top() -> None:
+    async with planted(2, 1, (80, 24)) as it:
         await it.press("i", "pagedown")
         for key, robot in ((".", 1), ("]", 0), (",", 1), ("[", 0), ("1", 1)):
             await it.press(key)
@@ -61,8 +57,8 @@ async def test_it_goes_on_to_the_next_robot_from_the_top(server: RosbridgeServer
             assert it.pane(TEXT).startswith("─ State")
 
 
-async def test_it_scrolls_and_says_where_it_is(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1), (60, 16)) as it:
+async def test_it_scrolls_and_says_where_it_is() -> None:
+    async with planted(1, 1, (60, 16)) as it:
         await it.press("i")
         await it.shows("100 %", TEXT)
         await it.shows("1-12 of ", "robot-page-title")
@@ -71,8 +67,8 @@ async def test_it_scrolls_and_says_where_it_is(server: RosbridgeServer) -> None:
             await it.shows(f" {first}", "robot-page-title")
 
 
-async def test_keys_about_the_robot_work_in_it_and_questions_return_to_it(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 2)) as it:
+async def test_keys_about_the_robot_work_in_it_and_questions_return_to_it() -> None:
+    async with planted(2) as it:
         page = it.app.main.features.robot_page
         await it.press("i", "p")
         await it.shows("Paused    yes", TEXT)
@@ -88,27 +84,27 @@ async def test_keys_about_the_robot_work_in_it_and_questions_return_to_it(server
         assert page.is_open
         await it.press("o")
         assert it.app.main.features.order_form.is_open and not page.is_open
-        assert [name for name, _ in sent(server)] == ["Pause", "Resume"]
+        assert it.sent == [PauseRobot(R0), ResumeRobot(R0)]
 
 
-async def test_alarms_that_are_over_come_from_the_audit_log(server: RosbridgeServer, tmp_path: Path) -> None:
-    async with in_the_way(server, "robot_0") as it:
-        with auditing(tmp_path, config_of(server.url, 2), it.store) as it.app.main.files.audit:
+async def test_alarms_that_are_over_come_from_the_audit_log(tmp_path: Path) -> None:
+    async with in_the_way("robot_0") as it:
+        with auditing(tmp_path, config_of(SITE, 2), it.store) as it.app.main.files.audit:
             await it.press("i")
             await it.shows("▲ new  obstacle", TEXT)
             await it.press("escape")
-            server.bridge.publish_raw("/robot_0/obstacle", {"data": 0.0})
+            it.publish("/robot_0/obstacle", {"data": 0.0})
             await it.shows("all clear", "alarms")
-            server.bridge.publish_raw("/robot_0/obstacle", {"data": 44.2})
+            it.publish("/robot_0/obstacle", {"data": 44.2})
             await it.shows("Alarms 1 new", "alarms")
-            server.bridge.publish_raw("/robot_0/obstacle", {"data": 0.0})
+            it.publish("/robot_0/obstacle", {"data": 0.0})
             await it.shows("all clear", "alarms")
             await it.press("i")
             await it.shows("  over ", TEXT)
 
 
-async def test_the_curve_is_drawn_as_the_map_is(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1)) as it:
+async def test_the_curve_is_drawn_as_the_map_is() -> None:
+    async with planted() as it:
         await it.press("m", "m", "i")
         await it.shows("100 %+", TEXT)
         assert not any("\u2800" <= sign <= "\u28ff" for sign in it.pane(TEXT))
@@ -116,11 +112,13 @@ async def test_the_curve_is_drawn_as_the_map_is(server: RosbridgeServer) -> None
         await it.shows("100 %┤", TEXT)
 
 
-async def test_old_values_are_marked_with_their_age(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1)) as it:
+async def test_old_values_are_marked_with_their_age() -> None:
+    async with planted() as it:
         await it.press("i")
         await it.shows("Paused    no", TEXT)
-        server.bridge.muted.update(f"/robot_0/{topic}" for topic in ("battery", "pose", "obstacle", "paused"))
+        it.fleet.server.bridge.muted.update(
+            f"/robot_0/{topic}" for topic in ("battery", "pose", "obstacle", "paused")
+        )
         await it.until(lambda state: state.is_old(state.robots[R0], "battery"))
         await it.shows(" s old", TEXT)
 

@@ -6,19 +6,17 @@ import pytest
 
 from fleet_tui.screens.tables import tools
 from fleet_tui.screens.tables.tools import ALL_EVERY
-from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.widgets import pace
-from tests.support.console_pilot import Console, console
-from tests.support.watched_store import config_of
+from tests.support.console_pilot import Console
+from tests.support.planted_console import planted
 
 
 def rows(it: Console) -> list[str]:
     return [line for line in it.pane("fleet").splitlines()[1:] if "robot_" in line]
 
 
-async def test_the_table_follows_each_letter_and_enter_goes_to_what_it_found(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 12, floors=2), wait=False) as it:
-        await it.until(lambda _: it.app.main.is_complete)
+async def test_the_table_follows_each_letter_and_enter_goes_to_what_it_found() -> None:
+    async with planted(12) as it:
         await it.press("/")
         await it.shows(" Fleet /")
         await it.type("1")
@@ -32,17 +30,15 @@ async def test_the_table_follows_each_letter_and_enter_goes_to_what_it_found(ser
         assert len(rows(it)) == 12 and it.app.main.navigation.robot == "robot_11"
 
 
-async def test_typed_and_entered_in_one_packet_it_goes_to_the_exact_number(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 12), wait=False) as it:
-        await it.until(lambda _: it.app.main.is_complete)
+async def test_typed_and_entered_in_one_packet_it_goes_to_the_exact_number() -> None:
+    async with planted(12) as it:
         for key in ("/", "1", "enter"):
             it.send(key)
         await it.until(lambda _: it.app.main.navigation.robot == "robot_1")
 
 
-async def test_escape_clears_it_and_returns_to_where_one_was(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 3), wait=False) as it:
-        await it.until(lambda _: it.app.main.is_complete)
+async def test_escape_clears_it_and_returns_to_where_one_was() -> None:
+    async with planted(3) as it:
         await it.press("/")
         await it.type("nobody")
         await it.shows("nothing matches the filter")
@@ -50,17 +46,16 @@ async def test_escape_clears_it_and_returns_to_where_one_was(server: RosbridgeSe
         assert len(rows(it)) == 3 and it.app.main.focused is it.app.main.features.map
 
 
-async def test_the_focused_table_is_filtered(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 2)) as it:
+async def test_the_focused_table_is_filtered() -> None:
+    async with planted(2) as it:
         await it.press("tab", "tab", "tab", "/")
         await it.shows(" Queue /")
         await it.type("x")
         assert it.app.main.queue.arrangement.typed == "x" and it.app.main.fleet.arrangement.typed == ""
 
 
-async def test_nothing_is_prepared_once_it_is_left(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 3), wait=False) as it:
-        await it.until(lambda _: it.app.main.is_complete)
+async def test_nothing_is_prepared_once_it_is_left() -> None:
+    async with planted(3) as it:
         for key in ("enter", "escape"):
             await it.press("/")
             assert it.app.main.fleet.arrangement.is_typing
@@ -68,11 +63,8 @@ async def test_nothing_is_prepared_once_it_is_left(server: RosbridgeServer) -> N
             assert not it.app.main.fleet.arrangement.is_typing
 
 
-async def test_a_filter_that_found_nobody_leaves_the_cursor_on_the_selected_robot(
-    server: RosbridgeServer,
-) -> None:
-    async with console(config_of(server.url, 3), wait=False) as it:
-        await it.until(lambda _: it.app.main.is_complete)
+async def test_a_filter_that_found_nobody_leaves_the_cursor_on_the_selected_robot() -> None:
+    async with planted(3) as it:
         await it.press("tab", "down", "down")
         assert it.app.main.navigation.robot == "robot_2"
         for keys in (("enter", "escape"), ("escape",)):
@@ -82,11 +74,8 @@ async def test_a_filter_that_found_nobody_leaves_the_cursor_on_the_selected_robo
             assert it.app.main.fleet.listing.cursor == it.app.main.navigation.robot == "robot_2"
 
 
-async def test_a_tick_waits_for_a_letter_but_not_for_long(
-    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    async with console(config_of(server.url, 3), wait=False) as it:
-        await it.until(lambda _: it.app.main.is_complete)
+async def test_a_tick_waits_for_a_letter_but_not_for_long(monkeypatch: pytest.MonkeyPatch) -> None:
+    async with planted(3) as it:
         line = it.app.main.features.tables.filter_line
         assert not line.goes_first
         await it.press("/")

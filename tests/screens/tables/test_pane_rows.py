@@ -3,16 +3,14 @@
 import pytest
 
 from fleet_tui.screens.tables import pane_rows
-from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.widgets import pace
-from tests.support.console_pilot import console
-from tests.support.watched_store import config_of
+from tests.support.planted_console import planted
 
 
 async def test_the_fleet_is_the_same_table_until_it_is_due_or_asked_for(
-    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    async with console(config_of(server.url, 3)) as it:
+    async with planted(3) as it:
         main, now = it.app.main, 1e9
         monkeypatch.setattr(pace, "monotonic", lambda: now)
         first = main.rows.tables()[0]
@@ -25,9 +23,9 @@ async def test_the_fleet_is_the_same_table_until_it_is_due_or_asked_for(
 
 
 async def test_the_map_of_a_crowd_is_shown_at_a_pace_and_at_once_for_another_robot(
-    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    async with console(config_of(server.url, 2)) as it:
+    async with planted(2) as it:
         main, now = it.app.main, 1e9
         assert main.rows.is_floor_due(False, None) and main.rows.is_floor_due(False, main.features.map.size)
         monkeypatch.setattr(pane_rows, "CROWD", 2)
@@ -40,9 +38,9 @@ async def test_the_map_of_a_crowd_is_shown_at_a_pace_and_at_once_for_another_rob
 
 
 async def test_the_rows_of_a_crowd_are_not_made_in_one_tick_with_its_map(
-    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    async with console(config_of(server.url, 2)) as it:
+    async with planted(2) as it:
         main, now = it.app.main, 1e9
         monkeypatch.setattr(pane_rows, "CROWD", 2)
         monkeypatch.setattr(pace, "monotonic", lambda: now)

@@ -5,18 +5,16 @@ import base64
 import pytest
 
 from fleet_tui.model.commands import PauseRobot, ResumeRobot
-from fleet_tui.simulator.server import RosbridgeServer
-from tests.support.console_pilot import Console, console
-from tests.support.ordering import sent
-from tests.support.watched_store import config_of
+from tests.support.console_pilot import Console
+from tests.support.planted_console import planted
 
 
 def names(it: Console) -> list[str]:
     return [line.split("robot_")[1].split()[0] for line in it.pane("fleet").splitlines() if "robot_" in line]
 
 
-async def test_sorting_goes_through_the_columns_and_back(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 3, floors=2)) as it:
+async def test_sorting_goes_through_the_columns_and_back() -> None:
+    async with planted(3, 2) as it:
         await it.until(lambda state: all(robot.battery for robot in state.robots.values()))
         await it.press("tab", "S")
         await it.shows("by robot")
@@ -30,26 +28,22 @@ async def test_sorting_goes_through_the_columns_and_back(server: RosbridgeServer
         assert names(it) == ["0", "1", "2"]
 
 
-async def test_a_marked_row_is_told_and_commands_go_to_all_of_them(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 3, floors=2)) as it:
+async def test_a_marked_row_is_told_and_commands_go_to_all_of_them() -> None:
+    async with planted(3, 2) as it:
         await it.press("tab", "space", "down", "down", "space")
         await it.shows("2 marked", "fleet")
         await it.press("p")
         await it.shows("robot_2 pause: confirmed", "outcomes")
-        given = [record.command for record in it.store.state.commands]
-        assert given == [PauseRobot("robot_0"), PauseRobot("robot_2")]
-        assert "marked" not in it.pane("fleet")
+        assert it.sent == [PauseRobot("robot_0"), PauseRobot("robot_2")]
+        await it.hides("marked", "fleet")
         await it.press("space", "up", "up", "space", "r")
         await it.shows("Send to 2 robots?")
         await it.press("y")
-        await it.until(lambda state: len(state.commands) == 4)
-        given = [record.command for record in it.store.state.commands]
-        assert given[2:] == [ResumeRobot("robot_0"), ResumeRobot("robot_2")]
-        await it.until(lambda _: len(sent(server)) == 4)
+        assert it.sent[2:] == [ResumeRobot("robot_0"), ResumeRobot("robot_2")]
 
 
-async def test_escape_closes_the_outcomes_and_clears_marks(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 2)) as it:
+async def test_escape_closes_the_outcomes_and_clears_marks() -> None:
+    async with planted(2) as it:
         await it.press("tab", "space", "down", "space", "p")
         await it.shows("Outcomes")
         await it.press("space")
@@ -61,10 +55,8 @@ async def test_escape_closes_the_outcomes_and_clears_marks(server: RosbridgeServ
         assert it.app.main.focused is it.app.main.fleet
 
 
-async def test_the_row_is_copied_as_it_reads(
-    server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    async with console(config_of(server.url, 2)) as it:
+async def test_the_row_is_copied_as_it_reads(monkeypatch: pytest.MonkeyPatch) -> None:
+    async with planted(2) as it:
         written = list[str]()
 
         def call(text: str) -> bool:
@@ -79,8 +71,8 @@ async def test_the_row_is_copied_as_it_reads(
         assert "robot_1" in copied and copied.strip() == copied
 
 
-async def test_groups_fold_on_enter_and_are_no_robots(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 3, floors=2)) as it:
+async def test_groups_fold_on_enter_and_are_no_robots() -> None:
+    async with planted(3, 2) as it:
         await it.until(
             lambda state: {robot.floor for robot in state.robots.values()} >= {"floor_0", "floor_1"}
         )
@@ -102,7 +94,7 @@ async def test_groups_fold_on_enter_and_are_no_robots(server: RosbridgeServer) -
         assert "floor_0 " not in it.pane("fleet").splitlines()[1] and names(it) == ["0", "1", "2"]
 
 
-async def test_without_groups_their_key_says_so(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1)) as it:
+async def test_without_groups_their_key_says_so() -> None:
+    async with planted() as it:
         await it.press("tab", "Z")
         await it.shows("one floor and one link: nothing to group by")
