@@ -63,7 +63,8 @@ def secret(bridge: Link, key: str) -> str:
             # Without its name: that may be the secret itself, entered by mistake.
             raise ConfigError([f"{where}: environment variable not set"])
     else:
-        found = _content(bridge, where).decode("utf-8-sig", errors="replace").rstrip()
+        found = _content(bridge, where).decode("utf-8-sig", errors="replace").rstrip("\r\n")
+    found = found.rstrip() if key == "authorization" else found
     if found and (len(found) > LONGEST or not re.fullmatch(r"[\x20-\x7e]+", found)):
         raise ConfigError([f"{where}: must be one line of plain ASCII"])
     if key == "authorization" and found and (problem := _of_header(found)):

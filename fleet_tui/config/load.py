@@ -116,22 +116,25 @@ def read(path: Path) -> tuple[Config, list[str]]:
     except UnicodeDecodeError:
         raise ConfigError([f"{path}: not UTF-8 text: save it as UTF-8"]) from None
     except (ValueError, RecursionError) as problem:
-        raise ConfigError([f"{path}: not TOML: {problem}{_habit(text)}"]) from None
+        raise ConfigError([f"{path}: not TOML: {problem}{_habit(text, str(problem))}"]) from None
     config, problems = _config_of(table)
     return safe(msgspec.structs.replace(config, path=path.absolute()), text), problems
 
 
-def _habit(text: str) -> str:
-    """Return what in a text that is no TOML comes from another program or format, empty if nothing does."""
-    for n, line in enumerate(text.splitlines(), 1):
-        if any(quote in line for quote in "“”„‘’"):
-            return f"; line {n} has the quotes of a text processor: write straight ones"
-        if "\u00a0" in line:
-            return f"; line {n} has a no-break space: write a usual one"
-    lines = [line.strip() for line in text.splitlines() if line.strip() and not line.lstrip().startswith("#")]
-    if lines and lines[0].startswith("{"):
+def _habit(text: str, problem: str) -> str:
+    """Return what of another program or format is where a text is no TOML, empty if nothing is."""
+    place = re.search(r"at line (\d+), column (\d+)", problem)
+    lines = text.splitlines()
+    if place is not None and int(place[1]) <= len(lines):
+        found = lines[int(place[1]) - 1][int(place[2]) - 1 :][:1]
+        if found and found in "“”„‘’":
+            return "; this is the quote of a text processor: write a straight one"
+        if found == "\u00a0":
+            return "; this is a no-break space: write a usual one"
+    used = [line for line in map(str.strip, lines) if line and not line.startswith(("#", "---"))]
+    if used and used[0].startswith(("{", "[{")):
         return "; this is JSON: write key = value below [table]"
-    if lines and re.match(r"[\w-]+:(\s|$)", lines[0]):
+    if used and re.match(r"[\w-]+:(\s|$)", used[0]):
         return "; this is YAML: write key = value below [table]"
     return ""
 

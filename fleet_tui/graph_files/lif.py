@@ -160,7 +160,8 @@ def _entries(table: Table, key: str, where: str) -> list[Table]:
 def agreed(entries: list[Table], key: str, vehicle: str, where: str) -> float | None:
     """Return a vehicle type's value; without a chosen type the one on which all that have it agree."""
     chosen = [one for one in entries if not vehicle or one.get("vehicleTypeId") == vehicle]
-    values = {fields.number(one[key], f"{where} {key}") for one in chosen if one.get(key) is not None}
+    found = [fields.optional(dict(one), key, fields.number, where) for one in chosen]
+    values = {value for value in found if value is not None}
     return values.pop() if len(values) == 1 else None
 
 

@@ -36,7 +36,10 @@ def read_graph(text: str, format_: GraphFormat | None, choices: ReadChoices) -> 
         raise GraphError(
             Message("not {chosen} but {actual}: leave out --from", chosen=chosen.value, actual=found.value)
         )
-    return _reader(chosen)(tree, choices)
+    try:
+        return _reader(chosen)(tree, choices)
+    except RecursionError:
+        raise GraphError(Message("nested too deep")) from None
 
 
 def recognised(text: str) -> GraphFormat | None:
@@ -123,5 +126,6 @@ def format_named(word: str) -> GraphFormat:
     return GraphFormat(word)
 
 
-HAS_FLOORS = frozenset({GraphFormat.NATIVE, GraphFormat.RMF, GraphFormat.RMF_BUILDING, GraphFormat.LIF})
+_RMF = (GraphFormat.RMF, GraphFormat.RMF_BUILDING, GraphFormat.RMF_SITE)
+HAS_FLOORS = frozenset({GraphFormat.NATIVE, *_RMF, GraphFormat.LIF})
 """The formats whose files name their floors."""

@@ -224,9 +224,14 @@ def _vertex(n: int, part: Any, placing: Placing, where: str) -> tuple[DocumentVe
     """Return a vertex and the lift whose cabin it is in."""
     parts = fields.elements(part, where, 5)
     x, y = placing.metres(*_place(parts, where))
-    height_and_label = [part for part in parts[2:] if not isinstance(part, dict)]
-    label = fields.text(height_and_label[-1], where) if len(parts) > 3 else ""
-    params = _params(parts[-1], where) if isinstance(parts[-1], dict) else {}
+    # Height, label and parameters; some files lack the height.
+    more = list(parts[2:])
+    params = _params(more.pop(), where) if more and isinstance(more[-1], dict) else {}
+    if more and isinstance(settled(more[0]), int | float):
+        more.pop(0)
+    label = fields.text(more[0], where) if more else ""
+    if len(more) > 1:
+        raise GraphError(Message("{where}: must be x, y, height, label and parameters", where=where))
     lift = str(params.get("lift_cabin") or "")
     kind = "lift" if lift else flagged(params)
     kind = kind or ("dock" if params.get("dock_name") else "")

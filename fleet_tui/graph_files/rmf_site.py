@@ -35,14 +35,16 @@ def read(tree: Any, choices: ReadChoices) -> GraphFile:
     """Return the document of a file, with the lanes of all its graphs. Raises GraphError."""
     table = fields.mapping(tree, "file")
     levels = fields.optional_mapping(table.get("levels"), "levels")
-    names = {key: _name(level, key) for key, level in levels.items()}
+    names = {key: _name(fields.mapping(level, f"level {key[:40]}"), key) for key, level in levels.items()}
     if len(set(names.values())) < len(names):
         raise GraphError(Message("two levels have one name: rename one"))
     anchors = dict[str, tuple[str, float, float]]()
     for key, level in levels.items():
         anchors |= _anchors(fields.mapping(level, f"level {key[:40]}"), names[key])
     guided = fields.optional_mapping(_at(table, "navigation", "guided"), "navigation guided")
-    locations = {str(one.get("anchor")): one for one in _entries(guided, "locations", MOST_VERTICES)}
+    locations = dict[str, Table]()
+    for one in _entries(guided, "locations", MOST_VERTICES):
+        locations.setdefault(str(one.get("anchor")), one)
     lanes = list(_entries(guided, "lanes", MOST_EDGES))
     edges = list(_edges(lanes, anchors))
     used = dict.fromkeys([*locations, *(end for _, edge in edges for end in (edge.start, edge.end))])
@@ -72,8 +74,8 @@ def _count(value: Any) -> int:
     return len(value) if isinstance(value, dict | list) else 0
 
 
-def _name(value: Any, otherwise: str) -> str:
-    name = _at(fields.mapping(value, "file"), "properties", "name")
+def _name(table: Table, otherwise: str) -> str:
+    name = _at(table, "properties", "name")
     return fields.text(name, "name") if name else otherwise
 
 
@@ -82,7 +84,7 @@ def _entries(table: Table, key: str, most: int) -> Iterator[Table]:
     found = fields.optional_mapping(table.get(key), key)
     fields.elements(list(found), key, most)
     for id_, value in found.items():
-        yield {"id": id_, **fields.mapping(value, f"{key} {id_[:40]}")}
+        yield {**fields.mapping(value, f"{key} {id_[:40]}"), "id": id_}
 
 
 def _anchors(level: Table, name: str) -> Anchors:

@@ -2,6 +2,7 @@
 
 import re
 import warnings
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
@@ -102,8 +103,12 @@ def _image_path(path: Path, image: str) -> Path:
         )
     if image.startswith("~/"):
         return Path.home() / image[2:]
+    if "\0" in image:
+        raise MapError(Message("no image {path}", path=image))
+    is_there = "\\" not in image
+    with suppress(OSError):  # a name that is too long
+        is_there = is_there or (path.parent / image).is_file()
     # Written on Windows, unless a file is called so.
-    is_there = "\\" not in image or (path.parent / image).is_file()
     return path.parent / (image if is_there else image.replace("\\", "/"))
 
 

@@ -114,6 +114,7 @@ class AuditLog(TableOverlay):
         self._records = records
         self._told = note, empty
         self.rows.listing.cursor = 0
+        self.rows.listing.marks.clear()  # the keys of rows are their places
         self.look()
 
     def look(self) -> None:

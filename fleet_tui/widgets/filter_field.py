@@ -29,17 +29,19 @@ class FilterField(Field):
         self.screen.set_focus(self)
 
     def put(self, text: str) -> None:
-        """Filter by a text, with the focus on the rows; nobody is told of a change."""
+        """Filter by a text, which nobody is told of; the field gives up the focus."""
         with self.prevent(Input.Changed):
             self.value = text
         self.leave()
 
     def leave(self, clear: bool = False) -> None:
-        """Give the focus to the rows."""
+        """Give the focus to the rows, if it is here: their overlay may be closed."""
+        had_focus = self.screen.focused is self
         if clear:
             self.value = ""
         self.display = bool(self.value)
-        self.screen.set_focus(self._rows)
+        if had_focus:
+            self.screen.set_focus(self._rows)
 
 
 def filter_help(arrangement: RowArrangement) -> str:

@@ -118,7 +118,7 @@ def test_numbers_may_be_written_as_text_and_a_blank_is_none() -> None:
     station = {"stationId": "s", "stationName": "S", "interactionNodeIds": ["n1"], "stationHeight": " "}
     text = lif(
         node("n1", "0.5", "2000000"),
-        node("n2", 1, 0, {"vehicleTypeId": "a", "theta": "1.57"}),
+        node("n2", 1, 0, {"vehicleTypeId": "a", "theta": "1.57"}, {"vehicleTypeId": "b", "theta": ""}),
         stations=[station],
     )
     found = read_text(text, lengths="mm")

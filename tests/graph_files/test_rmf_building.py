@@ -110,6 +110,23 @@ def test_places_on_earth_are_no_metres_of_a_floor(system: str) -> None:
         read_text(f"coordinate_system: {system}\nlevels:\n  L:\n    vertices: [[13.4, 52.5, 0, a]]\n")
 
 
+@pytest.mark.parametrize(
+    ("parts", "label"),
+    [
+        ("[0, 0, 0.5, B]", "B"),
+        ("[0, 0, 0.5, {is_charger: [4, true]}]", ""),
+        ("[0, 0, {is_charger: [4, true]}]", ""),
+        ("[0, 0, '7']", "7"),
+        ("[0, 0, 0.5, 7]", "7"),
+        ("[0, 0]", ""),
+    ],
+)
+def test_a_height_is_no_label(parts: str, label: str) -> None:
+    text = f"coordinate_system: cartesian_meters\nlevels:\n  L:\n    vertices: [{parts}, [1, 0, b]]\n"
+    floor = read_text(f"{text}    lanes: [[0, 1]]\n").document.floors["L"]
+    assert floor.vertices["0"].label == label
+
+
 def test_parameters_may_have_no_types() -> None:
     text = "coordinate_system: cartesian_meters\nlevels:\n  L:\n"
     text += (

@@ -61,6 +61,13 @@ def test_places_may_be_written_as_text(place: list[Any]) -> None:
     assert found.document.floors["L"].vertices["8"].x == 1.0
 
 
+def test_ids_are_the_keys_and_the_first_location_of_a_place_counts() -> None:
+    lanes = {"30": {"id": 5, "anchors": [8, 9]}, "33": {"id": 5, "anchors": [9, 10]}}
+    places = {"1": {"anchor": 8, "name": "A", "tags": ["Charger"]}, "2": {"anchor": 8, "name": "B"}}
+    floor = site(lanes, places).document.floors["L1"]
+    assert [*floor.edges] == ["30", "33"] and floor.vertices["8"].label == "A"
+
+
 def test_what_is_no_place_is_named() -> None:
     tree = {"format_version": "0.1", "levels": {"1": level("L", {"8": [None, 1.0]})}}
     with pytest.raises(GraphError, match="level L anchor 8: nothing instead of a number"):

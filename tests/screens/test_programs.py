@@ -103,6 +103,22 @@ async def test_who_may_not_command_looks_but_starts_nothing(
         await it.shows("a line", PANE)
 
 
+@pytest.mark.parametrize("closes", [("J",), ("f1", "escape"), ("escape", "escape")])
+async def test_a_closed_log_keeps_no_focus(tmp_path: Path, closes: tuple[str, ...]) -> None:
+    nav = replace(with_status(tmp_path), log=["echo", "a line"])
+    async with with_programs([nav]) as it:
+        await it.press("J")
+        await it.shows("○ stopped", PANE)
+        await it.press("enter", "2")
+        await it.shows("a line", PANE)
+        await it.press("enter", *closes)
+        programs = it.app.main.features.programs
+        programs.tick()
+        await it.settled()
+        assert not programs.is_open
+        assert it.app.main.focused is it.app.main.features.map
+
+
 async def test_they_are_sorted_by_the_columns_that_sort(tmp_path: Path) -> None:
     nav = with_status(tmp_path)
     async with with_programs([nav, replace(nav, name="map_10"), replace(nav, name="map_9")]) as it:

@@ -35,7 +35,7 @@ _READING = (
 
 @click.group(cls=NearestGroup)
 def graph() -> None:
-    """Check, compare, convert and show route graphs. Recognises seven formats of files."""
+    """Check, compare, convert and show route graphs. Recognises eight formats of files."""
 
 
 def reading(command: Callable[..., int]) -> Callable[..., None]:
