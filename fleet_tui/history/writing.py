@@ -84,7 +84,9 @@ def _keep_message(database: sqlite3.Connection, fact: Fact | Note | AuditRecord)
     message = text if isinstance(text, Message) else verbatim(text)
     if message.values:
         kept = json.dumps(with_values(message))
-        database.execute("INSERT OR REPLACE INTO messages VALUES (?, ?)", (str(text), kept))
+        # What somebody else has said, too, is never translated.
+        otherwise = "REPLACE" if message.id == verbatim("").id else "IGNORE"
+        database.execute(f"INSERT OR {otherwise} INTO messages VALUES (?, ?)", (str(text), kept))
 
 
 def _write_span(database: sqlite3.Connection, span: Span) -> None:

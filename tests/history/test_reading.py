@@ -188,6 +188,21 @@ def test_a_text_with_values_speaks_the_language_of_its_reader(database: sqlite3.
         use_language(ENGLISH)
 
 
+@pytest.mark.parametrize("order", [1, -1])
+def test_a_text_that_somebody_else_has_said_too_is_not_translated(
+    database: sqlite3.Connection, order: int
+) -> None:
+    texts = [Message("not sent: {problem}", problem=Message("no link")), verbatim("not sent: no link")]
+    for at, text in enumerate(texts[::order]):
+        write(database, OrderChange(f"r{at}", "1", "A -> B", 6.0, "failed", reason=text), "run1", "ana")
+    use_language("de")
+    try:
+        found = History(database).orders(0.0, 9.0)
+        assert [translate(Message(one.reason)) for one in found] == ["not sent: no link"] * 2
+    finally:
+        use_language(ENGLISH)
+
+
 def test_texts_of_an_older_console_are_read_as_they_are(database: sqlite3.Connection) -> None:
     write(database, LinkChange("rosbridge", 5.0, False, Message("not sent: {x}", x="1")), "run1", "ana")
     database.execute("DROP TABLE messages")
