@@ -13,7 +13,8 @@ from fleet_tui.text.limits import LONGEST_NAME, MOST_EDGES, MOST_VERTICES, trunc
 LONGEST_TEXT = 5 * LONGEST_NAME
 """Maximum characters of an id or a name; longer ones are no names."""
 MOST_FLOORS = 500
-_NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?\d+)?")
+_NUMBER = re.compile(r"[+-]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]+)?")
+"""As JSON has them, and yaml-cpp, with which map_server reads: no `0x`, no `1_000`, no `1:30`."""
 Found = TypeVar("Found")
 Table = dict[str, Any]
 
@@ -101,7 +102,7 @@ def identifier(value: Any, where: str) -> str:
 
 
 def is_number(value: str) -> bool:
-    """Tell whether a text is a number as JSON and YAML have it."""
+    """Tell whether a text is a number."""
     return _NUMBER.fullmatch(value.strip()) is not None
 
 

@@ -46,8 +46,8 @@ def read(tree: Any, choices: ReadChoices) -> GraphFile:
     points, lines, others = list[Table](), list[Table](), 0
     for n, part in enumerate(parts):
         feature = dict(fields.mapping(part, f"features[{n}]"))
-        read = fields.optional_mapping if "id" in feature else fields.mapping
-        properties = dict(read(feature.get("properties"), f"features[{n}] properties"))
+        mapping_of = fields.optional_mapping if "id" in feature else fields.mapping
+        properties = dict(mapping_of(feature.get("properties"), f"features[{n}] properties"))
         if str(feature.get("feature_type")).startswith("rmf_"):
             raise GraphError(
                 Message("a building of Open-RMF in degrees: export its navigation graph, in metres")

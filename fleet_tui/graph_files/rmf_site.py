@@ -26,9 +26,8 @@ Anchors = dict[str, tuple[str, float, float]]
 
 
 def is_site(tree: Table) -> bool:
-    """Tell whether a file is one of the site editor: the levels of other formats have no anchors."""
-    levels = tree.get("levels")
-    return "format_version" in tree and isinstance(levels, dict)
+    """Tell whether a file is one of the site editor: other formats with levels have no version."""
+    return "format_version" in tree and isinstance(tree.get("levels"), dict)
 
 
 def read(tree: Any, choices: ReadChoices) -> GraphFile:
@@ -38,11 +37,11 @@ def read(tree: Any, choices: ReadChoices) -> GraphFile:
     names = {key: _name(fields.mapping(level, f"level {key[:40]}"), key) for key, level in levels.items()}
     if len(set(names.values())) < len(names):
         raise GraphError(Message("two levels have one name: rename one"))
-    anchors = dict[str, tuple[str, float, float]]()
+    anchors: Anchors = {}
     for key, level in levels.items():
         anchors |= _anchors(fields.mapping(level, f"level {key[:40]}"), names[key])
     guided = fields.optional_mapping(_at(table, "navigation", "guided"), "navigation guided")
-    locations = dict[str, Table]()
+    locations: dict[str, Table] = {}
     for one in _entries(guided, "locations", MOST_VERTICES):
         locations.setdefault(str(one.get("anchor")), one)
     lanes = list(_entries(guided, "lanes", MOST_EDGES))
@@ -90,7 +89,7 @@ def _entries(table: Table, key: str, most: int) -> Iterator[Table]:
 def _anchors(level: Table, name: str) -> Anchors:
     found = fields.optional_mapping(level.get("anchors"), f"level {name[:40]} anchors")
     fields.vertex_elements(list(found), f"level {name[:40]} anchors")
-    places = dict[str, tuple[str, float, float]]()
+    places: Anchors = {}
     for id_, value in found.items():
         where = f"level {name[:40]} anchor {id_[:40]}"
         parts = _at(fields.mapping(value, where), "Translate2D")

@@ -12,7 +12,7 @@ from fleet_tui.model.commands import NEXT, ORDER_ENDS, RESTARTED, Stage
 from fleet_tui.model.history.facts import Charge, LaterCause, LinkChange, Note, OrderChange, Span
 from fleet_tui.model.order_life import STARTED_OVER
 from fleet_tui.rules.history.observing import BEGUN, HOUR, QUEUED, Fact
-from fleet_tui.text.language import Message, verbatim, with_values
+from fleet_tui.text.language import Message, is_verbatim, verbatim, with_values
 
 LOG = logging.getLogger(__name__)
 ENDS = frozenset(stage.value for stage in ORDER_ENDS)
@@ -85,7 +85,7 @@ def _keep_message(database: sqlite3.Connection, fact: Fact | Note | AuditRecord)
     if message.values:
         kept = json.dumps(with_values(message))
         # What somebody else has said, too, is never translated.
-        otherwise = "REPLACE" if message.id == verbatim("").id else "IGNORE"
+        otherwise = "REPLACE" if is_verbatim(message) else "IGNORE"
         database.execute(f"INSERT OR {otherwise} INTO messages VALUES (?, ?)", (str(text), kept))
 
 

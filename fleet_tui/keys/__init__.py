@@ -11,8 +11,7 @@ from fleet_tui.keys.key import LISTS, Key, Pane
 from fleet_tui.keys.map import MAP
 from fleet_tui.keys.place import PLACE
 from fleet_tui.keys.recording import RECORDING
-from fleet_tui.keys.rows import ROWS
-from fleet_tui.keys.tables import TABLES
+from fleet_tui.keys.tables import ROWS, TABLES
 
 __all__ = [
     "BY_ID",

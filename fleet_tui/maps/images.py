@@ -1,6 +1,5 @@
 """Map images from files: map_server's YAML, or a plain image that map_metadata places in the world."""
 
-import re
 import warnings
 from contextlib import suppress
 from dataclasses import dataclass
@@ -16,6 +15,7 @@ from yaml.reader import ReaderError
 
 from fleet_tui.config.small_file import read_text
 from fleet_tui.errors import MapError
+from fleet_tui.graph_files.fields import is_number
 from fleet_tui.model.events import FloorMapLoaded
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.grid import MAX_PIXELS, OccupancyGrid, check_frame
@@ -55,8 +55,6 @@ def load_floor_map(floor: str, path: Path, added: bool) -> FloorMapLoaded:
         return FloorMapLoaded(floor, None, Message("map {name}: {problem}", name=path.name, problem=problem))
 
 
-_NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?\d+)?")
-"""As yaml-cpp has them, which map_server reads with: no `0x`, no `1_000`, no `1:30`, and `1e-16` is one."""
 _FLAGS = {
     **dict.fromkeys(("1", "true", "yes", "on", "y"), True),
     **dict.fromkeys(("0", "false", "no", "off", "n"), False),
@@ -66,7 +64,7 @@ _FLAGS = {
 def _number(value: Any, where: str) -> float:
     if value is None:
         raise MapError(Message("{key} is missing", key=where))
-    if not isinstance(value, str) or not _NUMBER.fullmatch(value.strip()) or not abs(float(value)) <= 1e300:
+    if not isinstance(value, str) or not is_number(value) or not abs(float(value)) <= 1e300:
         shown = f"{value[:40]!r}" if isinstance(value, str) else Message("a list or a mapping")
         raise MapError(Message("{where}: {shown} instead of a number", where=where, shown=shown))
     return float(value)

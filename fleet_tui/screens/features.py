@@ -13,6 +13,7 @@ from fleet_tui.controllers.alarms import AlarmResponses
 from fleet_tui.controllers.console import Console
 from fleet_tui.controllers.desk.commands import DeskCommands
 from fleet_tui.controllers.desk.notes import join_desk
+from fleet_tui.controllers.driving.driving import DriveControls
 from fleet_tui.controllers.editing.checks import DraftChecks
 from fleet_tui.controllers.editing.drawing import GraphDrawing
 from fleet_tui.controllers.editing.edge_values import EdgeValues
@@ -57,7 +58,6 @@ from fleet_tui.screens.camera_switch import CameraSwitch
 from fleet_tui.screens.confirm import Confirm
 from fleet_tui.screens.diagnosing.overlay import Diagnostics
 from fleet_tui.screens.diagnosing.pages import Pages
-from fleet_tui.screens.driving import drive_controls
 from fleet_tui.screens.help import Help
 from fleet_tui.screens.history.overlay import HistoryOverlay
 from fleet_tui.screens.menu import Menu
@@ -213,9 +213,28 @@ class Features:
         self.values = VertexValues(console, self.editor)
         self.edge_values = EdgeValues(console, self.editor)
         self.drawing = GraphDrawing(console, self.editor, self.values, self.edge_values)
-        self.drives = drive_controls(console, self._app, self.map, controls)
+        self._add_drive()
         self.desk = DeskCommands(console)
         self.facilities = FacilityList(console)
+
+    def _add_drive(self) -> None:
+        view = self.map
+
+        def focus() -> None:
+            # Later: a question gives the focus back to where it was.
+            view.call_later(view.screen.set_focus, view)
+
+        ids = {key.id for key in KEYS if key.pane is Pane.DRIVE} | PASSES
+        keys = self._console.settings.keys
+        self.drives = DriveControls(
+            self._console,
+            controls=self.map_controls,
+            picture=view.picture,
+            focus=focus,
+            is_shown=lambda: view.size.height > 0,
+            passes=frozenset(textual_key(key) for id_ in ids for key in keys[id_]),
+            tell_releases=self._app.tell_releases,
+        )
 
     @property
     def _app(self) -> LeanApp:

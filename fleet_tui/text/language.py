@@ -62,12 +62,19 @@ def counted(one: str, many: str, count: int, /, **values: object) -> Message:
     return Message._made(one, many, {"count": count, **values}, one if count == 1 else many)
 
 
+_VERBATIM = "{text}"
+
+
 def verbatim(text: object) -> Message:
     """Return what a robot, a person or a file says: it is never looked up."""
     said = text if isinstance(text, str) else text_of(text)
     made = str.__new__(Message, said)
-    made.id, made.many, made.values = "{text}", "", {"text": said}
+    made.id, made.many, made.values = _VERBATIM, "", {"text": said}
     return made
+
+
+def is_verbatim(message: Message) -> bool:
+    return message.id == _VERBATIM
 
 
 def text_of(value: object) -> str:

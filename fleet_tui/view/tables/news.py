@@ -34,7 +34,7 @@ def _old(state: FleetState, robot: Robot, unheard: Fact | None) -> Iterator[Run]
     if is_missing(state, robot, "pose"):
         yield translate(missing_text(state, robot, "pose")), StyleRole.WARN
     if not robot.is_undated and not state.has_old(robot, _NAMES):
-        return  # as nearly always, and asked ten times sooner
+        return  # nearly always, and one look tells it
     for value, name in _NAMES.items():
         if state.is_old(robot, value):
             reading: Reading[object] = getattr(robot, value)
