@@ -8,12 +8,12 @@ import click
 
 from fleet_tui.audit.export import write_csv
 from fleet_tui.audit.file import FILE_NAME
+from fleet_tui.audit.line import line_text
 from fleet_tui.audit.reader import AuditReader
 from fleet_tui.audit.search import search_of
 from fleet_tui.errors import FleetError
 from fleet_tui.log_file import state_folder
 from fleet_tui.text.language import Message
-from fleet_tui.view.tables.audit import line_text
 
 
 def write_records(typed: str, as_csv: bool, demo: bool, out: TextIO) -> str:

@@ -22,32 +22,25 @@ def files(_context: click.Context, _param: click.Parameter, typed: str) -> list[
 
 def robots(context: click.Context, _param: click.Parameter, typed: str) -> list[CompletionItem]:
     """Offer the robots of the configuration."""
-    return _starting((robot.name for robot in _config(context).robots), typed)
+    return starting((robot.name for robot in config_of(context).robots), typed)
 
 
 def places(context: click.Context, _param: click.Parameter, typed: str) -> list[CompletionItem]:
     """Offer the labels in the graph files of the configuration. Without a file only the robots know them."""
     from fleet_tui.maps.floor_files import load_graphs
 
-    labels = (label for loaded in load_graphs(_config(context)) for label in loaded.labels.values())
-    return _starting(dict.fromkeys(labels), typed)
+    labels = (label for loaded in load_graphs(config_of(context)) for label in loaded.labels.values())
+    return starting(dict.fromkeys(labels), typed)
 
 
 def programs(context: click.Context, _param: click.Parameter, typed: str) -> list[CompletionItem]:
     """Offer the programs of the configuration."""
-    return _starting((program.name for program in _config(context).programs), typed)
-
-
-def routines(context: click.Context, _param: click.Parameter, typed: str) -> list[CompletionItem]:
-    """Offer the files in the configuration's folder of routines."""
-    from fleet_tui.routines.files import routine_names
-
-    return _starting(routine_names(_config(context).routine_folder), typed)
+    return starting((program.name for program in config_of(context).programs), typed)
 
 
 def one_of(words: Iterable[str]) -> Offer:
     """Return an offer of these words."""
-    return lambda _context, _param, typed: _starting(words, typed)
+    return lambda _context, _param, typed: starting(words, typed)
 
 
 def listed(words: Callable[[click.Context], Iterable[str]]) -> Offer:
@@ -55,12 +48,12 @@ def listed(words: Callable[[click.Context], Iterable[str]]) -> Offer:
 
     def offer(context: click.Context, _param: click.Parameter, typed: str) -> list[CompletionItem]:
         before, comma, last = typed.rpartition(",")
-        return [CompletionItem(f"{before}{comma}{word.value}") for word in _starting(words(context), last)]
+        return [CompletionItem(f"{before}{comma}{word.value}") for word in starting(words(context), last)]
 
     return offer
 
 
-def _starting(names: Iterable[str], typed: str) -> list[CompletionItem]:
+def starting(names: Iterable[str], typed: str) -> list[CompletionItem]:
     """Return the names that begin as typed, of those that every shell takes as they are: the configuration
     may be somebody else's, and what is completed is run."""
     return [CompletionItem(name) for name in names if name.startswith(typed) and _is_plain(name)]
@@ -71,7 +64,7 @@ def _is_plain(name: str) -> bool:
     return name[:1] not in ("-", "=") and all(letter.isalnum() or letter in PLAIN for letter in name)
 
 
-def _config(context: click.Context) -> Config:
+def config_of(context: click.Context) -> Config:
     """Return the configuration of the typed line, as far as it can be read."""
     given = context.params.get("config_file") or context.find_root().params.get("config_file")
     try:

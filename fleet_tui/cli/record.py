@@ -1,22 +1,16 @@
 """The `record` command: records all received messages, without a screen. Read-only."""
 
 import shlex
-import signal
 import sys
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager, suppress
 from pathlib import Path
-from types import FrameType
 
 from fleet_tui.audit.log import new_origin
-from fleet_tui.cli.session import WaitingStore, has_link, session
+from fleet_tui.cli.session import WaitingStore, ended_by_signals, has_link, only_watching, session
 from fleet_tui.client.fleet_link import FleetLink
-from fleet_tui.config.access import access_problems
-from fleet_tui.config.fleet import watching
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
-from fleet_tui.errors import ConfigError
 from fleet_tui.history.writer import history_of
 from fleet_tui.log_file import state_folder
 from fleet_tui.maps.floor_files import load_maps
@@ -30,8 +24,6 @@ from fleet_tui.text.units import age
 
 FINE = 0
 NO_LINK = 3
-ENDING = (signal.SIGTERM, signal.SIGHUP)
-"""Signals of services and of a closed terminal."""
 LOOK_EVERY = 0.25
 SHOW_EVERY = 1.0
 """Seconds between checks of the progress, and until the line on a terminal is written again."""
@@ -39,28 +31,6 @@ MAP_WITHIN = 20.0
 """Maximum seconds for a live map before the next one is requested."""
 
 Say = Callable[[str], None]
-
-
-class Ended(Exception):  # noqa: N818  # asked for from outside, no error
-    """Ended by a signal, or by the closing of its terminal."""
-
-
-@contextmanager
-def ended_by_signals() -> Iterator[None]:
-    """Raise Ended at a signal that asks a process to end."""
-    # Under nohup it continues after its terminal is closed.
-    numbers = [one for one in ENDING if signal.getsignal(one) is not signal.SIG_IGN]
-
-    def end(_number: int, _frame: FrameType | None) -> None:
-        # A further signal must not interrupt the end.
-        for number in numbers:
-            signal.signal(number, signal.SIG_IGN)
-        raise Ended
-
-    for number in numbers:
-        signal.signal(number, end)
-    with suppress(Ended):
-        yield
 
 
 class _Watch:
@@ -173,15 +143,6 @@ def record(
             taps.detach(recorder)
             watch.close(store.state)
     return FINE if watch.had_link else NO_LINK
-
-
-def only_watching(config: Config) -> Config:
-    """Return the configuration of a console that only watches. Before a file is created: raises ConfigError
-    for an unsafe secret."""
-    config = watching(config)
-    if problems := access_problems(config):
-        raise ConfigError([f"{config.path}: {line}" for line in problems])
-    return config
 
 
 def _goes_on(began: float, seconds: float, timeout: float, watch: _Watch) -> bool:

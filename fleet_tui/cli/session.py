@@ -1,15 +1,20 @@
 """A link for one command line: opened, waited on, closed."""
 
+import signal
 import threading
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
+from types import FrameType
 
 from fleet_tui.audit.elsewhere import watched_commands
 from fleet_tui.client.fleet_link import FleetLink
 from fleet_tui.client.tap import Tap
+from fleet_tui.config.access import access_problems
+from fleet_tui.config.fleet import watching
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
+from fleet_tui.errors import ConfigError
 from fleet_tui.log_file import state_folder
 from fleet_tui.maps.floor_files import load_graphs
 from fleet_tui.model.events import Event
@@ -18,6 +23,9 @@ from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.robot import Robot
 from fleet_tui.situation.robots import may_be_back
 from fleet_tui.state.store import Store
+
+ENDING = (signal.SIGTERM, signal.SIGHUP)
+"""Signals of services and of a closed terminal."""
 
 
 class WaitingStore(Store):
@@ -94,3 +102,34 @@ def is_known(state: FleetState) -> bool:
 def has_link(state: FleetState) -> bool:
     """Tell whether any bridge is connected."""
     return any(link.phase is Phase.UP for link in state.links.values())
+
+
+def only_watching(config: Config) -> Config:
+    """Return the configuration of a console that only watches. Before a file is created: raises ConfigError
+    for an unsafe secret."""
+    config = watching(config)
+    if problems := access_problems(config):
+        raise ConfigError([f"{config.path}: {line}" for line in problems])
+    return config
+
+
+class Ended(Exception):  # noqa: N818  # asked for from outside, no error
+    """Ended by a signal, or by the closing of its terminal."""
+
+
+@contextmanager
+def ended_by_signals() -> Iterator[None]:
+    """Raise Ended at a signal that asks a process to end."""
+    # Under nohup it continues after its terminal is closed.
+    numbers = [one for one in ENDING if signal.getsignal(one) is not signal.SIG_IGN]
+
+    def end(_number: int, _frame: FrameType | None) -> None:
+        # A further signal must not interrupt the end.
+        for number in numbers:
+            signal.signal(number, signal.SIG_IGN)
+        raise Ended
+
+    for number in numbers:
+        signal.signal(number, end)
+    with suppress(Ended):
+        yield

@@ -4,7 +4,6 @@ import asyncio
 import logging
 import time
 from collections.abc import Callable
-from datetime import datetime
 from functools import partial
 
 from fleet_tui.controllers.console import Console
@@ -21,15 +20,6 @@ from fleet_tui.view.programs.table import note
 LOG = logging.getLogger(__name__)
 
 INTERRUPTED = ChangeOutcome(NOT_CONFIRMED, Message("the console was closed"))
-
-
-def since_text(wall: float) -> str:
-    """Return Unix seconds as a local time: of today, else with the date."""
-    try:
-        at = datetime.fromtimestamp(wall)
-    except (OverflowError, ValueError, OSError):
-        return Message("no time")
-    return f"{at:%H:%M:%S}" if at.date() == datetime.now().date() else f"{at:%m-%d %H:%M}"
 
 
 class ProgramRequests:

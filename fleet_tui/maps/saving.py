@@ -12,6 +12,7 @@ from fleet_tui.maps.images import load_floor_map
 from fleet_tui.model.grid import FREE, OCCUPIED, OccupancyGrid
 from fleet_tui.storage.whole_file import write_whole
 from fleet_tui.text.language import Message
+from fleet_tui.text.sanitize import sanitize
 
 SHADES = {OCCUPIED: 0, FREE: 254}
 """Brightness of the classes; unknown ground is UNKNOWN_SHADE."""
@@ -81,3 +82,8 @@ def _compare(grid: OccupancyGrid, yaml: Path) -> None:
         raise MapError(
             Message("{yaml}: differs from the map when read back: the disk may be full or faulty", yaml=yaml)
         )
+
+
+def file_name(floor: str) -> str:
+    """Return a file's name for a floor: a typed line ends at a space."""
+    return "_".join(sanitize(floor).split()).replace("/", "_")

@@ -8,7 +8,8 @@ from typing import ClassVar
 from textual.binding import BindingType
 
 from fleet_tui.controllers.console import Console
-from fleet_tui.controllers.programs import ProgramRequests, since_text
+from fleet_tui.controllers.local_time import since_text
+from fleet_tui.controllers.programs import ProgramRequests
 from fleet_tui.log_file import state_folder
 from fleet_tui.programs.arguments import log
 from fleet_tui.programs.log_tail import LogTail

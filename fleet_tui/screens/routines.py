@@ -7,7 +7,7 @@ from typing import ClassVar
 from textual.binding import BindingType
 
 from fleet_tui.controllers.console import Console
-from fleet_tui.controllers.programs import since_text
+from fleet_tui.controllers.local_time import since_text
 from fleet_tui.controllers.routines.led import LedRoutines
 from fleet_tui.controllers.routines.requests import RoutineRequests
 from fleet_tui.log_file import state_folder

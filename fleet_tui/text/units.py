@@ -49,3 +49,10 @@ def percent(share: float) -> str:
 def counted(count: int, one: str, many: str = "") -> str:
     """Return a count with its noun: `1 error`, `2 vertices`."""
     return f"{count} {one if count == 1 else many or f'{one}s'}"
+
+
+def span(seconds: float) -> str:
+    """Return a span as on a player: `4:31`, `1:04:31`."""
+    minutes, rest = divmod(int(max(0.0, seconds)), 60)
+    hours, minutes = divmod(minutes, 60)
+    return f"{hours}:{minutes:02}:{rest:02}" if hours else f"{minutes}:{rest:02}"

@@ -4,7 +4,8 @@ from collections.abc import Callable
 
 from textual import events
 
-from fleet_tui.view.lines.time import ReplayPosition, time_line
+from fleet_tui.model.replay import ReplayPosition
+from fleet_tui.view.lines.time import time_line
 from fleet_tui.widgets.messages import TimePicked
 from fleet_tui.widgets.runs_view import RunsView
 

@@ -12,11 +12,11 @@ import pytest
 
 from fleet_tui.audit.export import write_csv
 from fleet_tui.audit.file import FILE_NAME
+from fleet_tui.audit.line import line_text
 from fleet_tui.audit.reader import AuditReader
 from fleet_tui.audit.search import search_of
 from fleet_tui.cli.audit import write_records
 from fleet_tui.model.audit_record import AuditRecord
-from fleet_tui.view.tables.audit import line_text
 
 FILES = Path(__file__).parents[1] / "recording" / "of_version_1"
 MEANING: dict[str, Any] = json.loads(gzip.decompress((FILES / "meaning.json.gz").read_bytes()))

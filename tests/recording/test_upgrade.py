@@ -19,6 +19,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from fleet_tui.audit.line import line_text
 from fleet_tui.model.events import GraphReceived, LabelsReceived, QueueReported
 from fleet_tui.model.fleet import FleetState, Limits
 from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
@@ -27,7 +28,6 @@ from fleet_tui.recording.indexing import open_recording
 from fleet_tui.recording.play.cursor import RecordingCursor
 from fleet_tui.recording.records import EventRecord, RecordingError, decode
 from fleet_tui.rules.language.grammar import written
-from fleet_tui.view.tables.audit import line_text
 from fleet_tui.view.tables.queue import queue_table
 from tests.support.fleets import order, order_queue, text_of
 

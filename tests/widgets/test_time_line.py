@@ -1,7 +1,7 @@
 """The time line of a recording: it shows the position, and a click says which cell."""
 
+from fleet_tui.model.replay import ReplayPosition
 from fleet_tui.text.language import Message
-from fleet_tui.view.lines.time import ReplayPosition
 from fleet_tui.widgets.messages import TimePicked
 from fleet_tui.widgets.time_line import TimeLine
 from tests.support.widget_app import WidgetApp, text

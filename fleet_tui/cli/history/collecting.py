@@ -4,8 +4,7 @@ import time
 from collections.abc import Callable, Iterable
 
 from fleet_tui.audit.log import new_origin
-from fleet_tui.cli.record import ended_by_signals, only_watching
-from fleet_tui.cli.session import WaitingStore, session
+from fleet_tui.cli.session import WaitingStore, ended_by_signals, only_watching, session
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
 from fleet_tui.errors import ConfigError

@@ -10,8 +10,7 @@ from prometheus_client import CollectorRegistry
 from fleet_tui.audit.file import FILE_NAME
 from fleet_tui.audit.tail import AuditTail
 from fleet_tui.cli.history.collecting import Following
-from fleet_tui.cli.record import ended_by_signals, only_watching
-from fleet_tui.cli.session import session
+from fleet_tui.cli.session import ended_by_signals, only_watching, session
 from fleet_tui.config.schema import Config
 from fleet_tui.log_file import state_folder
 from fleet_tui.metrics.collector import FleetCollector

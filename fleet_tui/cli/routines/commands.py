@@ -4,13 +4,21 @@
 import sys
 
 import click
+from click.shell_completion import CompletionItem
 
-from fleet_tui.cli.offers import routines
+from fleet_tui.cli.offers import config_of, starting
 from fleet_tui.cli.options import NearestGroup, NumberRange, common, fleet, merged, timeout
 from fleet_tui.log_file import log_to_file
 
 HELD_FOR = 300.0
 """Seconds for which a routine that nobody can resume waits for its link."""
+
+
+def offered(context: click.Context, _param: click.Parameter, typed: str) -> list[CompletionItem]:
+    """Offer the files in the configuration's folder of routines."""
+    from fleet_tui.routines.files import routine_names
+
+    return starting(routine_names(config_of(context).routine_folder), typed)
 
 
 @click.group(cls=NearestGroup)
@@ -19,7 +27,7 @@ def routine() -> None:
 
 
 @routine.command("check")
-@click.argument("name", shell_complete=routines)
+@click.argument("name", shell_complete=offered)
 @click.option("--json", "as_json", is_flag=True, help="Print JSON; schema in `fleet-tui docs routines`.")
 @timeout(5.0)
 @fleet
@@ -36,7 +44,7 @@ def check_command(
 
 
 @routine.command("run")
-@click.argument("name", shell_complete=routines)
+@click.argument("name", shell_complete=offered)
 @click.option("--resume", is_flag=True, help="Go on from where it was held or ended.")
 @click.option("--skip", is_flag=True, help="With --resume: go on after an instruction of unknown outcome.")
 @click.option("--yes", is_flag=True, help="Send orders in spite of warnings.")
@@ -90,7 +98,7 @@ def list_command(as_json: bool, config_file: str | None, debug: bool) -> None:
 
 
 @routine.command("install")
-@click.argument("name", shell_complete=routines)
+@click.argument("name", shell_complete=offered)
 @click.option("--print", "only_print", is_flag=True, help="Print the units without writing them.")
 @common
 @merged

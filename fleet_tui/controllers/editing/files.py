@@ -18,6 +18,7 @@ from fleet_tui.graph_files.losses import losses
 from fleet_tui.graph_files.reading import HAS_FLOORS, format_named, recognised
 from fleet_tui.graph_files.writing import WRITERS, named_format, write_graph
 from fleet_tui.maps.graph_storage import graph_text, load_graph_file
+from fleet_tui.maps.saving import file_name
 from fleet_tui.model.graphs.document import DocumentFloor, GraphDocument, GraphFormat, of_floor
 from fleet_tui.rules.graphs.finding import LintInputs
 from fleet_tui.rules.graphs.targets import of_target
@@ -189,8 +190,3 @@ def _merged(old: DocumentFloor, new: DocumentFloor) -> DocumentFloor:
             drawn = replace(before, start=way.start, end=way.end, two_way=way.two_way)
             edges[id_] = replace(drawn, speed=speed, cost=cost)
     return replace(old, vertices=vertices, edges=edges)
-
-
-def file_name(floor: str) -> str:
-    """Return a file's name for a floor: a typed line ends at a space."""
-    return "_".join(sanitize(floor).split()).replace("/", "_")

@@ -7,10 +7,9 @@ from typing import Any
 
 from fleet_tui.config.schema import expanded
 from fleet_tui.controllers.console import Console
-from fleet_tui.controllers.editing.files import file_name
 from fleet_tui.controllers.typed import Entry, Typed
 from fleet_tui.errors import MapError
-from fleet_tui.maps.saving import map_files, save_map
+from fleet_tui.maps.saving import file_name, map_files, save_map
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.kind import MAP_SAVE, MAPPING, POSE_GRAPH_SAVE
 from fleet_tui.model.problem import Right

@@ -7,12 +7,13 @@ from collections.abc import Callable, Iterator
 from fleet_tui.model.audit_record import AuditRecord
 from fleet_tui.model.commands import FAILURES, Stage
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.replay import MarkKind, ReplayPosition, TimeMark
 from fleet_tui.recording.play.cursor import RecordingCursor
 from fleet_tui.recording.recording import LAST_SECOND, Instant, Recording
 from fleet_tui.recording.records import Mark
 from fleet_tui.text.details import detail_text
 from fleet_tui.text.language import EMPTY, Message, joined
-from fleet_tui.view.lines.time import MarkKind, ReplayPosition, TimeMark, span
+from fleet_tui.text.units import span
 
 SPEEDS = (0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0)
 """Recorded seconds per second of ours."""

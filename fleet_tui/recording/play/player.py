@@ -9,12 +9,12 @@ from functools import partial
 
 from fleet_tui.errors import FleetError
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.model.replay import ReplayPosition
 from fleet_tui.recording.play.playback import Playback
 from fleet_tui.recording.play.times import moment_of
 from fleet_tui.recording.recording import Recording
 from fleet_tui.state.store import Store
 from fleet_tui.text.language import EMPTY, Message, message_of
-from fleet_tui.view.lines.time import ReplayPosition
 
 LOG = logging.getLogger(__name__)
 

@@ -14,11 +14,12 @@ from fleet_tui.model.graph import Role
 from fleet_tui.model.history.facts import Activity
 from fleet_tui.model.kind import GOAL, LOCALISE, MAP_SAVE, MAPPING, POSE, SETTLE, Kind
 from fleet_tui.model.occupancy import FREE, OCCUPIED, UNKNOWN, Classes, build_grid
+from fleet_tui.model.replay import MarkKind
 from fleet_tui.text.language import N_, Message, tr, translate, verbatim
 from fleet_tui.view.help.section import HelpRow, HelpSection, key_row, translated
 from fleet_tui.view.help.synonyms import SYNONYMS
 from fleet_tui.view.history.bars import BARS
-from fleet_tui.view.lines.time import MARKS, MarkKind
+from fleet_tui.view.lines.time import MARKS
 from fleet_tui.view.map.camera import DOTS_X, DOTS_Y, Camera
 from fleet_tui.view.map.glyphs import robot_glyph
 from fleet_tui.view.map.layers import MapOptions

@@ -1,13 +1,11 @@
 """The time line of a recording: position and events."""
 
-from collections.abc import Callable, Sequence
-from enum import IntEnum
+from collections.abc import Callable
 
-from msgspec import Struct
-
-from fleet_tui.text.language import EMPTY, Message, tr, translate
+from fleet_tui.model.replay import MarkKind, ReplayPosition, TimeMark
+from fleet_tui.text.language import tr, translate
 from fleet_tui.text.sanitize import sanitize
-from fleet_tui.text.units import percent
+from fleet_tui.text.units import percent, span
 from fleet_tui.view.roles import StyleRole
 from fleet_tui.view.tables.table import Run, cut, width_of
 
@@ -15,53 +13,11 @@ SAID_FOR = 5.0
 """Recorded seconds for which a mark's text is shown after it was passed."""
 
 
-class MarkKind(IntEnum):
-    """The kind of a mark; in a shared cell the highest is shown."""
-
-    COMMAND = 1
-    GAP = 2
-    ALARM = 3
-
-
 MARKS = {
     MarkKind.COMMAND: ("◆", StyleRole.ACCENT),
     MarkKind.GAP: ("╳", StyleRole.WARN),
     MarkKind.ALARM: ("▲", StyleRole.ALARM),
 }
-
-
-class TimeMark(Struct, frozen=True):
-    """An event at `at` (monotonic seconds of the recording)."""
-
-    at: float
-    kind: MarkKind
-    text: Message
-
-
-class ReplayPosition(Struct, frozen=True):
-    """The position of a replay. `began`, `ended` and `at` are its monotonic seconds, `wall` is Unix time;
-    `reached` is the actual speed if `speed` is too much for this machine, `is_over` at the end, `busy` the
-    progress of a long jump (0 to 1), `note` a problem of the recording; `jumps` counts them."""
-
-    began: float
-    ended: float
-    at: float
-    wall: float
-    speed: float = 1.0
-    reached: float | None = None
-    paused: bool = False
-    is_over: bool = False
-    busy: float | None = None
-    marks: Sequence[TimeMark] = ()
-    note: Message = EMPTY
-    jumps: int = 0
-
-
-def span(seconds: float) -> str:
-    """Return a span as on a player: `4:31`, `1:04:31`."""
-    minutes, rest = divmod(int(max(0.0, seconds)), 60)
-    hours, minutes = divmod(minutes, 60)
-    return f"{hours}:{minutes:02}:{rest:02}" if hours else f"{minutes}:{rest:02}"
 
 
 def bar(moment: ReplayPosition, width: int) -> tuple[Run, ...]:

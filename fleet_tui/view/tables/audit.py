@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from operator import itemgetter
 
+from fleet_tui.audit.line import time_text, what_text
 from fleet_tui.model.audit_record import AuditRecord
 from fleet_tui.model.commands import FAILURES, Stage
 from fleet_tui.text.details import detail_text
@@ -18,31 +19,6 @@ TROUBLE = frozenset(stage.value for stage in (*FAILURES, Stage.NO_ANSWER, Stage.
     "lost",
 }
 _ROLES = {"confirmed": StyleRole.GOOD, "raised": StyleRole.WARN, "raised again": StyleRole.WARN}
-
-
-def _vertex(label: str, id_: str, with_id: bool) -> str:
-    return f"{label} ({id_})" if label and with_id else label or id_
-
-
-def what_text(record: AuditRecord, with_ids: bool = False) -> str:
-    """Return the subject of a record: `robot_0 order Base -> Store`."""
-    words = [record.robot or record.link, record.what]
-    if record.end is not None:
-        start = [] if record.start is None else [_vertex(record.start_label, record.start, with_ids)]
-        words += [*start, "->", _vertex(record.end_label, record.end, with_ids)]
-    elif record.order is not None:
-        words.append(f"order {record.order}")
-    return sanitize(" ".join(word for word in words if word))
-
-
-def line_text(record: AuditRecord) -> str:
-    words = detail_text(record.words)
-    return sanitize(f"{_time(record)} {record.operator} {what_text(record)}: {record.change}{words}")
-
-
-def _time(record: AuditRecord) -> str:
-    """Return month, day and time of day in the record's own time zone: `05-31 12:04:31`."""
-    return record.time[5:19].replace("T", " ")
 
 
 def audit_table(
@@ -70,7 +46,7 @@ def _told(entry: tuple[int, AuditRecord]) -> list[Run]:
 _COLUMNS: Sequence[Column[tuple[int, AuditRecord]]] = (
     Column(
         N_("time"),
-        lambda entry: (_time(entry[1]), StyleRole.DIM),
+        lambda entry: (time_text(entry[1]), StyleRole.DIM),
         14,
         "",
         order=lambda entry: -entry[0],

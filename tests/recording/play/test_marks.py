@@ -5,10 +5,10 @@ from pathlib import Path
 import pytest
 
 from fleet_tui.audit.entries import Origin
+from fleet_tui.model.replay import MarkKind
 from fleet_tui.recording.play.playback import GAP, time_marks
 from fleet_tui.recording.recording import Instant, Recording
 from fleet_tui.recording.records import Lost, Mark
-from fleet_tui.view.lines.time import MarkKind
 from tests.support.fleets import R0, WALL
 from tests.support.recordings import header
 

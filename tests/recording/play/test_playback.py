@@ -6,10 +6,10 @@ from types import SimpleNamespace
 import pytest
 
 from fleet_tui.model.events import TimePassed
+from fleet_tui.model.replay import MarkKind
 from fleet_tui.recording.play import cursor, playback
 from fleet_tui.recording.play.playback import SPEEDS, Playback
 from fleet_tui.text.language import Message
-from fleet_tui.view.lines.time import MarkKind
 from tests.support.fleets import T0, WALL
 from tests.support.tapes import MadeUp
 from tests.support.watched_store import config_of

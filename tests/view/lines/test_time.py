@@ -6,17 +6,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from fleet_tui.model.replay import MarkKind, ReplayPosition, TimeMark
 from fleet_tui.text.language import Message
-from fleet_tui.view.lines.time import (
-    MarkKind,
-    ReplayPosition,
-    TimeMark,
-    bar,
-    position_runs,
-    span,
-    time_at,
-    time_line,
-)
+from fleet_tui.text.units import span
+from fleet_tui.view.lines.time import bar, position_runs, time_at, time_line
 from fleet_tui.view.roles import StyleRole
 from tests.support.fleets import text_of
 

@@ -2,8 +2,9 @@
 
 from hypothesis import given
 
+from fleet_tui.audit.line import line_text, what_text
 from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.audit import audit_table, details, line_text, what_text
+from fleet_tui.view.tables.audit import audit_table, details
 from tests.support.fleets import text_of
 from tests.support.hostile_text import TEXTS, harmless
 from tests.support.records import record
