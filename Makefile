@@ -3,7 +3,7 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
-PURE := $(addprefix tests/,text model keys rules graph_files state view adapters config test_house.py test_keymap.py test_errors.py)
+PURE := $(addprefix tests/,text model keys orders situation commands robots state maps/formats ui/view config features/graphs/rules features/routines/rules test_house.py)
 # Twice the cores: some wait for a process. The longest first.
 TOGETHER := -q --forks $(shell expr $$(getconf _NPROCESSORS_ONLN) \* 2)
 POS := $(wildcard fleet_tui/locales/*/LC_MESSAGES/fleet_tui.po)

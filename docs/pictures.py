@@ -22,14 +22,14 @@ from typing import NamedTuple
 
 from PIL import Image, ImageGrab
 
-from fleet_tui.app import FleetApp
-from fleet_tui.backend import LiveBackend
 from fleet_tui.config.load import load, shipped
 from fleet_tui.config.start import initial_state
-from fleet_tui.demo import demo_config, simulated
+from fleet_tui.console.app import FleetApp
+from fleet_tui.console.demo import demo_config, simulated
 from fleet_tui.state.store import Store
-from fleet_tui.themes import load_themes
-from fleet_tui.view.map.drawing import Drawing
+from fleet_tui.ui.backend import LiveBackend
+from fleet_tui.ui.themes import load_themes
+from fleet_tui.ui.view.map.drawing import Drawing
 
 SIZES = ((60, 15), (80, 24), (120, 40), (200, 60))
 CONSOLE = str(Path(sys.executable).with_name("fleet-tui"))

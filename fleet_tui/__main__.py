@@ -12,12 +12,12 @@ import textwrap
 import traceback
 from typing import IO, TYPE_CHECKING, Any, NoReturn
 
-from fleet_tui.errors import ConfigError, FleetError, LinkError, MapError
-from fleet_tui.log_file import log_to_file
-from fleet_tui.terminal.ending import PATIENCE, end_within
+from fleet_tui.config.log_file import log_to_file
 from fleet_tui.text.ascii_fallback import ascii_fallback
+from fleet_tui.text.errors import ConfigError, FleetError, LinkError, MapError
 from fleet_tui.text.limits import truncate
 from fleet_tui.text.sanitize import sanitize
+from fleet_tui.ui.terminal.ending import PATIENCE, end_within
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -57,7 +57,7 @@ def _end_saying(problem: FleetError) -> NoReturn:
 def _run_command() -> None:
     import click  # here, so that Ctrl-C while they are imported ends like Ctrl-C
 
-    from fleet_tui.cli.main import commands
+    from fleet_tui.main import commands
 
     try:
         commands.main(prog_name="fleet-tui", standalone_mode=False)

@@ -10,12 +10,12 @@ from zlib import crc32
 import pytest
 from hypothesis import settings
 
-from fleet_tui.client import memory
+from fleet_tui.links import memory
 from fleet_tui.simulator.nav2.fleet import Nav2Fleet
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.terminal import fault_guard
+from fleet_tui.ui.terminal import fault_guard
 from tests.support.cli import config_file
 from tests.support.parsed_styles import parse_styles_once
 

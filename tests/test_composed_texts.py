@@ -4,16 +4,16 @@ from collections.abc import Iterator
 
 import pytest
 
-from fleet_tui.languages import ENGLISH, use_language
+from fleet_tui.features.history.events import EventKind, PastEvent
 from fleet_tui.model.commands import PauseRobot, Stage
 from fleet_tui.model.fleets.facility import LIFT, Facility
 from fleet_tui.model.order import Order, OrderState, at_vertices
 from fleet_tui.model.programs.program import NOT_CONFIRMED, ChangeOutcome
-from fleet_tui.rules.alarms.facilities import facility_text
-from fleet_tui.rules.commands.batches import summary
-from fleet_tui.rules.why.reason import mission
+from fleet_tui.situation.alarms.facilities import facility_text
+from fleet_tui.situation.batches import summary
+from fleet_tui.situation.why.reason import mission
 from fleet_tui.text.language import Message, translate
-from fleet_tui.view.history.events import EventKind, PastEvent
+from fleet_tui.ui.languages import ENGLISH, use_language
 from tests.support.fleets import T0, commanded, fleet, reduced
 from tests.support.planted_console import planted
 

@@ -9,9 +9,9 @@ from typing import get_args
 
 import pytest
 
-from fleet_tui.adapters.registry import KINDS
 from fleet_tui.model.commands import Command
 from fleet_tui.model.events import Event
+from fleet_tui.robots.registry import KINDS
 
 ROOT = Path(__file__).parent.parent
 PACKAGE = ROOT / "fleet_tui"
@@ -19,14 +19,18 @@ FILES = sorted(PACKAGE.rglob("*.py"))
 PURE = [
     "text",
     "model",
-    "rules",
-    "graph_files",
-    "state",
-    "view",
-    "adapters",
     "keys",
-    "actions.py",
-    "keymap.py",
+    "orders",
+    "situation",
+    "commands",
+    "robots",
+    "state",
+    "maps/formats",
+    "links/rates",
+    "ui/view",
+    "features/graphs/rules",
+    "features/routines/rules",
+    "features/history/report",
 ]
 PURE_SIMULATOR = [
     *(
@@ -96,11 +100,11 @@ def test_only_the_transport_knows_roslibpy() -> None:
             for name in ("roslibpy", "autobahn")
         )
     ]
-    assert knows == ["transports/rosbridge/library.py"]
+    assert knows == ["links/transports/rosbridge/library.py"]
 
 
-def test_a_kind_of_robot_is_a_folder_of_adapters() -> None:
-    folders = {path.parent.name for path in (PACKAGE / "adapters").glob("*/adapter.py")}
+def test_a_kind_of_robot_is_a_folder() -> None:
+    folders = {path.parent.name for path in (PACKAGE / "robots").glob("*/adapter.py")}
     assert set(KINDS) == folders
 
 

@@ -10,7 +10,7 @@ import pytest
 
 from fleet_tui import __version__
 from fleet_tui.config.load import shipped
-from fleet_tui.themes import load_themes
+from fleet_tui.ui.themes import load_themes
 
 ROOT = Path(__file__).parent.parent
 THEMES = {"dark", "light", "contrast", "colourblind"}
@@ -40,14 +40,14 @@ def test_a_wheel_brings_its_own_config_and_themes(wheel: Path, tmp_path: Path) -
     done = run("-m", "fleet_tui", "config", "init", site=wheel, cwd=tmp_path)
     assert done.returncode == 0, done.stderr
     assert done.stdout == (ROOT / "config.toml").read_text()
-    code = "from fleet_tui.themes import load_themes; print(*sorted(load_themes(None)[0]))"
+    code = "from fleet_tui.ui.themes import load_themes; print(*sorted(load_themes(None)[0]))"
     names = run("-c", code, site=wheel, cwd=tmp_path)
     assert set(names.stdout.split()) == THEMES
     assert (wheel / "fleet_tui" / "fleet.tcss").is_file()
 
 
 def test_a_wheel_brings_its_languages(wheel: Path, tmp_path: Path) -> None:
-    code = "from fleet_tui.languages import use_language as use; from fleet_tui.text.language import tr"
+    code = "from fleet_tui.ui.languages import use_language as use; from fleet_tui.text.language import tr"
     told = run("-c", f"{code}; use('de'); print(tr('no link'))", site=wheel, cwd=tmp_path)
     assert told.stdout == "keine Verbindung\n"
 

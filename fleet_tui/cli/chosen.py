@@ -3,12 +3,12 @@
 import click
 
 from fleet_tui.config.load import find, load
+from fleet_tui.config.log_file import state_problem
 from fleet_tui.config.schema import Config
-from fleet_tui.discovery.address import bridge_at
-from fleet_tui.discovery.awaiting import Discovering
-from fleet_tui.discovery.site import DiscoveredSite
-from fleet_tui.errors import ConfigError, FleetError, LinkError
-from fleet_tui.log_file import state_problem
+from fleet_tui.links.discovery.address import bridge_at
+from fleet_tui.links.discovery.awaiting import Discovering
+from fleet_tui.links.discovery.site import DiscoveredSite
+from fleet_tui.text.errors import ConfigError, FleetError, LinkError
 from fleet_tui.text.sanitize import sanitize
 
 

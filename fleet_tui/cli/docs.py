@@ -12,8 +12,8 @@ import click
 from click.shell_completion import CompletionItem
 
 from fleet_tui.cli.options import ExampleCommand
-from fleet_tui.documentation import pages, subject
-from fleet_tui.errors import did_you_mean
+from fleet_tui.text.errors import did_you_mean
+from fleet_tui.ui.documentation import pages, subject
 
 WIDEST = 110
 """Columns of text on a wide terminal."""

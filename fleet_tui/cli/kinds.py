@@ -4,12 +4,12 @@ import json
 import math
 from collections.abc import Callable, Iterator
 
-from fleet_tui.adapters.adapter import Site
-from fleet_tui.adapters.profile import Profile
-from fleet_tui.adapters.registry import DEFAULT_KIND, KINDS, Registered
-from fleet_tui.adapters.ros.set_up import names as set_up
 from fleet_tui.model.kind import Kind
 from fleet_tui.model.robot import Robot
+from fleet_tui.robots.adapter import Site
+from fleet_tui.robots.profile import Profile
+from fleet_tui.robots.registry import DEFAULT_KIND, KINDS, Registered
+from fleet_tui.robots.ros.set_up import names as set_up
 
 VERSION = 1
 

@@ -7,7 +7,7 @@ from click.shell_completion import CompletionItem
 
 from fleet_tui.config.load import find, read
 from fleet_tui.config.schema import Config
-from fleet_tui.errors import ConfigError
+from fleet_tui.text.errors import ConfigError
 
 PLAIN = "_-./:,+@%="
 """Characters beside letters and digits that no shell reads."""

@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 import click
 
 from fleet_tui.config.trust import saying_yes
-from fleet_tui.errors import did_you_mean, is_address
+from fleet_tui.text.errors import did_you_mean, is_address
 
 F = TypeVar("F", bound=Callable[..., Any])
 

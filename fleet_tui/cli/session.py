@@ -7,22 +7,22 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from types import FrameType
 
-from fleet_tui.audit.elsewhere import watched_commands
-from fleet_tui.client.fleet_link import FleetLink
-from fleet_tui.client.tap import Tap
 from fleet_tui.config.access import access_problems
 from fleet_tui.config.fleet import watching
+from fleet_tui.config.log_file import state_folder
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
-from fleet_tui.errors import ConfigError
-from fleet_tui.log_file import state_folder
+from fleet_tui.links.fleet_link import FleetLink
+from fleet_tui.links.tap import Tap
 from fleet_tui.maps.floor_files import load_graphs
 from fleet_tui.model.events import Event
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.robot import Robot
+from fleet_tui.records.audit.elsewhere import watched_commands
 from fleet_tui.situation.robots import may_be_back
 from fleet_tui.state.store import Store
+from fleet_tui.text.errors import ConfigError
 
 ENDING = (signal.SIGTERM, signal.SIGHUP)
 """Signals of services and of a closed terminal."""

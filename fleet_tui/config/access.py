@@ -13,7 +13,7 @@ import msgspec
 
 from fleet_tui.config.schema import LINK_FILES, SECRETS, Config, Link, link_key
 from fleet_tui.config.trust import doubt
-from fleet_tui.errors import ConfigError
+from fleet_tui.text.errors import ConfigError
 
 SECRET_FILES = tuple(f"{key}_file" for key in SECRETS)
 PUBLIC = ("ca_file", "client_cert")

@@ -8,19 +8,19 @@ from urllib.parse import urlsplit
 
 import msgspec
 
-from fleet_tui.adapters.discovery import NAME
-from fleet_tui.adapters.profile import Profile
-from fleet_tui.adapters.registry import KINDS, kind_of
-from fleet_tui.adapters.ros.names import Vocabulary
-from fleet_tui.adapters.ros.type_names import same_type
 from fleet_tui.config.entries import DEFAULT_LINK
 from fleet_tui.config.fleet import OF_BROKERS, adapters_of, profile_of, shared_steering, shared_topics
 from fleet_tui.config.programs import check_programs
 from fleet_tui.config.schema import SECRETS, Alarms, Config, Link, Notify, link_key
-from fleet_tui.errors import did_you_mean
-from fleet_tui.keymap import keymap
+from fleet_tui.keys.keymap import keymap
 from fleet_tui.model.alarm import Priority
-from fleet_tui.rules.alarms.classes import CLASSES
+from fleet_tui.robots.discovery import NAME
+from fleet_tui.robots.profile import Profile
+from fleet_tui.robots.registry import KINDS, kind_of
+from fleet_tui.robots.ros.names import Vocabulary
+from fleet_tui.robots.ros.type_names import same_type
+from fleet_tui.situation.alarms.classes import CLASSES
+from fleet_tui.text.errors import did_you_mean
 
 PRIORITIES = [priority.name.lower() for priority in Priority]
 

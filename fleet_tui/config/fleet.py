@@ -8,11 +8,11 @@ from typing import NamedTuple
 
 import msgspec
 
-from fleet_tui.adapters.adapter import Adapter, Feed, Limit, Site
-from fleet_tui.adapters.profile import DriveConfig, Profile
-from fleet_tui.adapters.registry import KINDS, kind_of
 from fleet_tui.config.entries import RobotEntry
 from fleet_tui.config.schema import Config, link_key
+from fleet_tui.robots.adapter import Adapter, Feed, Limit, Site
+from fleet_tui.robots.profile import DriveConfig, Profile
+from fleet_tui.robots.registry import KINDS, kind_of
 
 OF_BROKERS = "vda5050"
 """The kind of the robots of a broker."""

@@ -13,13 +13,13 @@ from typing import Any, Literal
 import msgspec
 import platformdirs
 
-from fleet_tui.adapters.profile import Profile
-from fleet_tui.adapters.registry import KINDS
 from fleet_tui.config.check import EMPTY, checked
 from fleet_tui.config.schema import NOT_IN_FILE, Config, expanded
 from fleet_tui.config.small_file import LARGEST, read_text, toml
 from fleet_tui.config.withholding import safe
-from fleet_tui.errors import ConfigError, NoConfigError, did_you_mean
+from fleet_tui.robots.profile import Profile
+from fleet_tui.robots.registry import KINDS
+from fleet_tui.text.errors import ConfigError, NoConfigError, did_you_mean
 
 _WORDS = {"str": "text", "int": "a whole number", "float": "a number", "bool": "true or false"} | {
     "array": "a list",

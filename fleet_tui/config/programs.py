@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 import msgspec
 
-from fleet_tui.errors import did_you_mean
+from fleet_tui.text.errors import did_you_mean
 
 MOST_PROGRAMS = 100
 _NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_.-]{0,63}")

@@ -13,8 +13,8 @@ from pathlib import Path
 from fleet_tui.config.schema import Config
 from fleet_tui.config.small_file import read_toml
 from fleet_tui.config.trust import ROOT, doubt, user_name
-from fleet_tui.errors import did_you_mean
 from fleet_tui.model.problem import Permissions, Right
+from fleet_tui.text.errors import did_you_mean
 
 FILE = Path("/etc/fleet-tui/rights.toml")
 OWNER = ROOT

@@ -10,8 +10,8 @@ from msgspec.structs import replace
 
 from fleet_tui.config.schema import NOT_IN_FILE, Config, expanded
 from fleet_tui.config.trust import written_file
-from fleet_tui.errors import FleetError
 from fleet_tui.storage.whole_file import write_whole
+from fleet_tui.text.errors import FleetError
 from fleet_tui.text.language import Message
 
 

@@ -7,10 +7,10 @@ from urllib.parse import urlsplit
 
 import msgspec
 
-from fleet_tui.adapters.profile import DriveConfig, Profile
 from fleet_tui.config.entries import DEFAULT_LINK, FloorEntry, Positive, RobotEntry
 from fleet_tui.config.programs import ProgramEntry
-from fleet_tui.rules.rates.attention import Rates
+from fleet_tui.model.attention import Rates
+from fleet_tui.robots.profile import DriveConfig, Profile
 from fleet_tui.text.language import EMPTY, Message
 
 S = TypeVar("S", bound=msgspec.Struct)

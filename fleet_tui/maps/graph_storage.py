@@ -4,11 +4,11 @@ from pathlib import Path
 
 from fleet_tui.config.small_file import read_text
 from fleet_tui.config.trust import written_file
-from fleet_tui.errors import GraphError
-from fleet_tui.graph_files.graph_file import GraphFile, ReadChoices
-from fleet_tui.graph_files.reading import LARGEST, read_graph
+from fleet_tui.maps.formats.graph_file import GraphFile, ReadChoices
+from fleet_tui.maps.formats.reading import LARGEST, read_graph
 from fleet_tui.model.graphs.document import GraphFormat
 from fleet_tui.storage.whole_file import write_whole
+from fleet_tui.text.errors import GraphError
 from fleet_tui.text.language import Message
 
 

@@ -14,13 +14,13 @@ from PIL import Image, UnidentifiedImageError
 from yaml.reader import ReaderError
 
 from fleet_tui.config.small_file import read_text
-from fleet_tui.errors import MapError
-from fleet_tui.graph_files.fields import is_number
+from fleet_tui.maps.formats.fields import is_number
 from fleet_tui.model.events import FloorMapLoaded
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.grid import MAX_PIXELS, OccupancyGrid, check_frame
 from fleet_tui.model.occupancy import CLASS_OF_CELL, FREE, OCCUPIED, UNKNOWN, Classes, build_grid
 from fleet_tui.storage.handles import open_file
+from fleet_tui.text.errors import MapError
 from fleet_tui.text.language import Message
 
 MODES = ("trinary", "scale", "raw")

@@ -5,11 +5,11 @@ from collections.abc import Sequence
 
 import msgspec
 
-from fleet_tui.adapters.ros.facts import check_finite
-from fleet_tui.errors import MapError, WireError
 from fleet_tui.model.events import GridReceived
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.grid import check_frame
+from fleet_tui.robots.ros.facts import check_finite
+from fleet_tui.text.errors import MapError, WireError
 from fleet_tui.text.language import Message
 
 MOST_LEVELS = 50

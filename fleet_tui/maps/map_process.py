@@ -10,12 +10,12 @@ import sys
 
 import msgspec
 
-from fleet_tui.adapters.adapter import Feed, Site
-from fleet_tui.adapters.profile import Profile
-from fleet_tui.adapters.registry import KINDS, kind_of
-from fleet_tui.adapters.ros import operations
-from fleet_tui.errors import WireError
 from fleet_tui.model.events import GridReceived
+from fleet_tui.robots.adapter import Feed, Site
+from fleet_tui.robots.profile import Profile
+from fleet_tui.robots.registry import KINDS, kind_of
+from fleet_tui.robots.ros import operations
+from fleet_tui.text.errors import WireError
 
 LONGEST = 60.0
 

@@ -4,8 +4,8 @@ import math
 
 from msgspec.structs import replace
 
-from fleet_tui.errors import MapError
 from fleet_tui.model.geometry import MapFrame, Pose
+from fleet_tui.text.errors import MapError
 from fleet_tui.text.language import Message
 
 Pixel = tuple[float, float]

@@ -3,8 +3,8 @@
 import base64
 import io
 
-from fleet_tui.adapters.adapter import Limit
-from fleet_tui.errors import WireError
+from fleet_tui.robots.adapter import Limit
+from fleet_tui.text.errors import WireError
 from fleet_tui.text.language import Message
 
 

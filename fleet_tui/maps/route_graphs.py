@@ -7,18 +7,18 @@ from typing import Annotated, Any
 import msgspec
 from msgspec.structs import replace
 
-from fleet_tui.adapters.parts import read_all
-from fleet_tui.adapters.ros.facts import is_place
 from fleet_tui.config.small_file import read_text
-from fleet_tui.errors import GraphError, WireError
-from fleet_tui.graph_files.graph_file import MissingChoiceError, ReadChoices
-from fleet_tui.graph_files.json_text import in_line
-from fleet_tui.graph_files.reading import read_graph
+from fleet_tui.maps.formats.graph_file import MissingChoiceError, ReadChoices
+from fleet_tui.maps.formats.json_text import in_line
+from fleet_tui.maps.formats.reading import read_graph
 from fleet_tui.model.events import FloorGraphLoaded
 from fleet_tui.model.graph import Edge, RouteGraph, Vertex
 from fleet_tui.model.graphs.document import DocumentFloor, GraphDocument
 from fleet_tui.model.graphs.ids import distinct
 from fleet_tui.model.graphs.live import role_of, route_graph
+from fleet_tui.robots.parts import read_all
+from fleet_tui.robots.ros.facts import is_place
+from fleet_tui.text.errors import GraphError, WireError
 from fleet_tui.text.language import Message, verbatim
 from fleet_tui.text.limits import LONGEST_NAME, MOST_EDGES, MOST_VERTICES, too_many, truncate
 

@@ -7,10 +7,10 @@ from pathlib import Path
 
 import numpy as np
 
-from fleet_tui.errors import MapError
 from fleet_tui.maps.images import load_floor_map
 from fleet_tui.model.grid import FREE, OCCUPIED, OccupancyGrid
 from fleet_tui.storage.whole_file import write_whole
+from fleet_tui.text.errors import MapError
 from fleet_tui.text.language import Message
 from fleet_tui.text.sanitize import sanitize
 

@@ -2,8 +2,8 @@
 
 from typing import TYPE_CHECKING, Final
 
-from fleet_tui.errors import MapError
 from fleet_tui.model.geometry import MapFrame
+from fleet_tui.text.errors import MapError
 from fleet_tui.text.language import Message
 
 if TYPE_CHECKING:

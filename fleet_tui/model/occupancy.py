@@ -7,12 +7,12 @@ cell thick stays in every level.
 import numpy as np
 from numpy.typing import NDArray
 
-from fleet_tui.errors import MapError
 from fleet_tui.model.geometry import MapFrame
 from fleet_tui.model.grid import FREE as FREE
 from fleet_tui.model.grid import OCCUPIED as OCCUPIED
 from fleet_tui.model.grid import UNKNOWN as UNKNOWN
 from fleet_tui.model.grid import OccupancyGrid, check_frame
+from fleet_tui.text.errors import MapError
 from fleet_tui.text.language import Message
 
 Classes = NDArray[np.uint8]

@@ -7,6 +7,7 @@ import threading
 from collections.abc import Callable, Sequence
 from contextlib import AbstractAsyncContextManager, AsyncExitStack, suppress
 
+from fleet_tui.signals import stop, stopped_by_signal
 from fleet_tui.simulator.faults import parse_faults_of
 from fleet_tui.simulator.fleets import Fleet
 from fleet_tui.simulator.kinds import KINDS, play
@@ -14,7 +15,6 @@ from fleet_tui.simulator.ros.ros1 import ROS1
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.simulator.site import SitedBridge, faults_of, site_of
-from fleet_tui.stopping import stop, stopped_by_signal
 
 DIALECTS = {"1": ROS1, "2": ROS2}
 

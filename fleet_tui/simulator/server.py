@@ -10,7 +10,6 @@ from typing import Any
 
 from websockets.asyncio.server import Server, ServerConnection, serve
 
-from fleet_tui.errors import FleetError
 from fleet_tui.simulator.channels import resolve
 from fleet_tui.simulator.fleets import Fleet
 from fleet_tui.simulator.frames import Payload
@@ -23,6 +22,7 @@ from fleet_tui.simulator.ros.ros1 import ROS1
 from fleet_tui.simulator.senses.mount import frames_topic
 from fleet_tui.simulator.sessions.session import Session
 from fleet_tui.simulator.topics import TopicDesk
+from fleet_tui.text.errors import FleetError
 from fleet_tui.text.language import Message
 
 LARGEST = 128 * 2**20  # bytes of a message from a client

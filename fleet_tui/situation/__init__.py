@@ -1,1 +1,1 @@
-"""What is wrong, decided once: pure functions that find a fact, and the table of its words."""
+"""The situation: facts about robots and links, decided once; alarms and reasons read them. Pure."""

@@ -1,6 +1,5 @@
 """Facts about what is between the robots and the screen: the bridges, and this console."""
 
-from fleet_tui.errors import STOPPED, UNANSWERED
 from fleet_tui.model import link as reasons
 from fleet_tui.model.alarm import Priority
 from fleet_tui.model.fleet import FleetState, behind_text
@@ -21,6 +20,7 @@ from fleet_tui.situation.facts import (
     NOT_ALLOWED,
     UNSOURCED,
 )
+from fleet_tui.text.errors import STOPPED, UNANSWERED
 from fleet_tui.text.language import EMPTY, Message, counted, joined
 from fleet_tui.text.limits import some
 from fleet_tui.text.units import age, duration

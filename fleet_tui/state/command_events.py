@@ -6,6 +6,9 @@ from typing import assert_never
 
 from msgspec.structs import replace
 
+from fleet_tui.commands.confirmation import before, confirm
+from fleet_tui.commands.follow_up import follow_up
+from fleet_tui.commands.queue_moves import moved
 from fleet_tui.model import events, navigation_events
 from fleet_tui.model.commands import (
     Baseline,
@@ -22,11 +25,8 @@ from fleet_tui.model.commands import (
 from fleet_tui.model.fleet import FleetState, with_robot
 from fleet_tui.model.fleets.events import DispatchFact, DispatchFailed, RequestAnswered
 from fleet_tui.model.set_up.commands import SetMapping, SetPose, SetUpCommand
-from fleet_tui.rules.commands.confirmation import before, confirm
-from fleet_tui.rules.commands.follow_up import follow_up
-from fleet_tui.rules.commands.local_queue import next_id
-from fleet_tui.rules.commands.masters import asked_about
-from fleet_tui.rules.commands.queue_moves import moved
+from fleet_tui.orders.local_queue import next_id
+from fleet_tui.orders.masters import asked_about
 from fleet_tui.state.goal_reports import know_stops
 from fleet_tui.text.language import EMPTY, verbatim
 from fleet_tui.text.limits import truncate

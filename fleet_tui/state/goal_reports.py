@@ -10,7 +10,7 @@ from fleet_tui.model import events, navigation_events
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.order import Stop
 from fleet_tui.model.robot import Reading, Robot
-from fleet_tui.rules.commands.goals import active, queue_of, with_reported, with_stops, without
+from fleet_tui.orders.goals import active, queue_of, with_reported, with_stops, without
 from fleet_tui.state.reports import apply_report
 from fleet_tui.text.language import EMPTY, Message
 

@@ -9,7 +9,7 @@ from fleet_tui.model.navigation import STANDS_FOR, Blocked, Progress, ReportedMo
 from fleet_tui.model.robot import Logged, Reading, Robot
 from fleet_tui.model.ros_logs import cause_of
 from fleet_tui.model.set_up.driving import Speeds
-from fleet_tui.rules.movement import strayed
+from fleet_tui.situation.movement import strayed
 from fleet_tui.state.goal_reports import apply_goals, with_sign_of_life
 from fleet_tui.state.reports import SiteClock, apply_report, clocked, relocation
 from fleet_tui.text.language import verbatim

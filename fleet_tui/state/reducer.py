@@ -5,6 +5,7 @@ from typing import assert_never
 
 from msgspec.structs import replace
 
+from fleet_tui.commands.routes.blocked import with_blocked_edges
 from fleet_tui.model import events, navigation_events
 from fleet_tui.model.alarm import advance, withdraw
 from fleet_tui.model.desk.events import OperatorEvent
@@ -15,13 +16,12 @@ from fleet_tui.model.link import Phase
 from fleet_tui.model.navigation_events import Navigation
 from fleet_tui.model.robot import Robot, with_fault
 from fleet_tui.model.vehicles.events import VehicleFact
-from fleet_tui.rules.alarms.conditions import conditions
-from fleet_tui.rules.alarms.floods import without_floods
-from fleet_tui.rules.commands.failures import taken_back
-from fleet_tui.rules.commands.local_queue import with_held_queues
-from fleet_tui.rules.lag import with_lags
-from fleet_tui.rules.localisation.misplaced import with_misplaced
-from fleet_tui.rules.routes.blocked import with_blocked_edges
+from fleet_tui.orders.local_queue import with_held_queues
+from fleet_tui.situation.alarms.conditions import conditions
+from fleet_tui.situation.alarms.floods import without_floods
+from fleet_tui.situation.failures import taken_back
+from fleet_tui.situation.lag import with_lags
+from fleet_tui.situation.pose_checks.misplaced import with_misplaced
 from fleet_tui.state.clocks import site_clock
 from fleet_tui.state.command_events import (
     advance_command,

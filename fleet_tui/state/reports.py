@@ -11,9 +11,9 @@ from fleet_tui.model.geometry import Pose
 from fleet_tui.model.order import Order, OrderQueue, vertices_of
 from fleet_tui.model.order_life import corrected, trace_movement, trace_queue
 from fleet_tui.model.robot import Reading, Robot, RobotMap, StampClock, with_fault
-from fleet_tui.rules.localisation.jumps import pose_jump
-from fleet_tui.rules.movement import JUMPS_WITHIN, jump, moved, progressed
-from fleet_tui.rules.movement import pace as new_pace
+from fleet_tui.situation.movement import JUMPS_WITHIN, jump, moved, progressed
+from fleet_tui.situation.movement import pace as new_pace
+from fleet_tui.situation.pose_checks.jumps import pose_jump
 from fleet_tui.text.language import Message
 from fleet_tui.text.limits import LONGEST_NAME, MOST_ORDERS, truncate
 

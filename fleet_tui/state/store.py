@@ -3,9 +3,9 @@
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
+from fleet_tui.model.attention import Attention
 from fleet_tui.model.events import Event
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.rules.rates.attention import Attention
 from fleet_tui.state import reducer
 from fleet_tui.state.streams import Streams
 

@@ -8,7 +8,7 @@ from fleet_tui.model.fleets.member import Member
 from fleet_tui.model.navigation import Goal, Progress
 from fleet_tui.model.order import OVER, OrderState
 from fleet_tui.model.robot import Reading, Robot
-from fleet_tui.rules.commands.goals import active, with_reported, without
+from fleet_tui.orders.goals import active, with_reported, without
 from fleet_tui.state.goal_reports import with_queue
 
 TASK = "task"

@@ -16,10 +16,10 @@ from textual.app import ComposeResult
 
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.occupancy import FREE, OCCUPIED, build_grid
-from fleet_tui.terminal.lean_app import LeanApp
-from fleet_tui.themes import load_themes
-from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
-from fleet_tui.widgets.map_view import MapView
+from fleet_tui.ui.terminal.lean_app import LeanApp
+from fleet_tui.ui.themes import load_themes
+from fleet_tui.ui.view.map.scene import Scene, SceneRobot, SceneVertex
+from fleet_tui.ui.widgets.map_view import MapView
 from tests.bench.rows import Row, row
 from tests.support.terminal import PlayedDriver, paint, terminal_of
 

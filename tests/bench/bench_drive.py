@@ -9,14 +9,14 @@ from typing import Any
 from msgspec.structs import replace
 from textual import events
 
-from fleet_tui.adapters.profile import DriveConfig
-from fleet_tui.app import FleetApp
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
-from fleet_tui.demo import demo_config, simulated
+from fleet_tui.console.app import FleetApp
+from fleet_tui.console.demo import demo_config, simulated
 from fleet_tui.model.set_up.driving import STILL, DrivePhase, Speeds, Steering
-from fleet_tui.themes import load_themes
-from fleet_tui.view.map.drawing import Drawing
+from fleet_tui.robots.profile import DriveConfig
+from fleet_tui.ui.themes import load_themes
+from fleet_tui.ui.view.map.drawing import Drawing
 from tests.bench.rows import Row, p95, row
 from tests.bench.wiretap import wiretap
 from tests.support.console_pilot import Console

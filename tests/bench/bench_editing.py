@@ -5,12 +5,12 @@ import statistics
 import time
 from dataclasses import replace
 
+from fleet_tui.features.graphs.edit_mode import EditMode, cell_metres
+from fleet_tui.features.graphs.rules import edits
 from fleet_tui.model.graphs.document import DocumentEdge, DocumentFloor, DocumentVertex
 from fleet_tui.model.graphs.draft import GraphDraft
-from fleet_tui.rules.graphs import edits
-from fleet_tui.view.map.map_picture import MapPicture
-from fleet_tui.view.map.modes.edit import EditMode, cell_metres
-from fleet_tui.view.map.scene import Scene
+from fleet_tui.ui.view.map.map_picture import MapPicture
+from fleet_tui.ui.view.map.scene import Scene
 from tests.bench.bench_map import SIDE, warehouse
 from tests.bench.rows import Row, p95, row
 

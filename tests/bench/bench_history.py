@@ -14,10 +14,10 @@ from contextlib import closing
 from pathlib import Path
 
 from fleet_tui.config.load import load
-from fleet_tui.controllers.history.controls import PAGES, read_page
-from fleet_tui.history.database import history_path, open_to_write, transaction
-from fleet_tui.rules.history.division import divided
-from fleet_tui.rules.history.observing import HOUR
+from fleet_tui.features.history.controls import PAGES, read_page
+from fleet_tui.records.history.database import history_path, open_to_write, transaction
+from fleet_tui.records.history.division import divided
+from fleet_tui.records.history.observing import HOUR
 from tests.bench.rows import Row, row
 from tests.support.routine_files import ONE_ROBOT
 

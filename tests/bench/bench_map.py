@@ -10,13 +10,13 @@ import numpy as np
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.occupancy import FREE, OCCUPIED, UNKNOWN, build_grid
-from fleet_tui.view.map.camera import DOTS_X, DOTS_Y, Camera
-from fleet_tui.view.map.drawing import Drawing
-from fleet_tui.view.map.ground.raster import ground
-from fleet_tui.view.map.layers import MapOptions
-from fleet_tui.view.map.picture import backdrop, picture
-from fleet_tui.view.map.scene import Scene, SceneRobot
-from fleet_tui.view.roles import WALLS, StyleRole
+from fleet_tui.ui.view.map.camera import DOTS_X, DOTS_Y, Camera
+from fleet_tui.ui.view.map.drawing import Drawing
+from fleet_tui.ui.view.map.ground.raster import ground
+from fleet_tui.ui.view.map.layers import MapOptions
+from fleet_tui.ui.view.map.picture import backdrop, picture
+from fleet_tui.ui.view.map.scene import Scene, SceneRobot
+from fleet_tui.ui.view.roles import WALLS, StyleRole
 from tests.bench.others import others
 from tests.bench.rows import Row, row
 

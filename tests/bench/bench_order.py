@@ -8,13 +8,13 @@ from typing import Any
 
 from textual import events
 
-from fleet_tui.app import FleetApp
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
-from fleet_tui.demo import demo_config, simulated
+from fleet_tui.console.app import FleetApp
+from fleet_tui.console.demo import demo_config, simulated
 from fleet_tui.model.commands import PauseRobot
-from fleet_tui.themes import load_themes
-from fleet_tui.view.map.drawing import Drawing
+from fleet_tui.ui.themes import load_themes
+from fleet_tui.ui.view.map.drawing import Drawing
 from tests.bench.rows import Row, p95, row
 from tests.bench.wiretap import wiretap
 from tests.support.console_pilot import Console

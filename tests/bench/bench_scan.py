@@ -10,20 +10,20 @@ import time
 import cbor2
 import numpy as np
 
-from fleet_tui.adapters.adapter import Limit, Site
-from fleet_tui.adapters.nav2.adapter import Nav2
-from fleet_tui.adapters.profile import Profile
-from fleet_tui.adapters.ros.reading import FrameReader
-from fleet_tui.client.rosbridge.set_up.stream_writer import StreamWriter
+from fleet_tui.links.rosbridge.set_up.stream_writer import StreamWriter
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.occupancy import grid_from_ros
 from fleet_tui.model.set_up.streams import Beams, LaserScan, beams_of
-from fleet_tui.rules.localisation.match import match
-from fleet_tui.rules.localisation.nearby import best_near
+from fleet_tui.robots.adapter import Limit, Site
+from fleet_tui.robots.nav2.adapter import Nav2
+from fleet_tui.robots.profile import Profile
+from fleet_tui.robots.ros.reading import FrameReader
 from fleet_tui.simulator.floorplan import HEIGHT, ORIGIN, RESOLUTION, WIDTH
 from fleet_tui.simulator.frames import OutgoingFrame
 from fleet_tui.simulator.senses.laser import BEAMS, ranges, scan
 from fleet_tui.simulator.warehouse import build_building
+from fleet_tui.situation.pose_checks.match import match
+from fleet_tui.situation.pose_checks.nearby import best_near
 from fleet_tui.state.store import Store
 from tests.bench.rows import Row, row
 from tests.support.fleets import R0, fleet

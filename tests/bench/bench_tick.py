@@ -11,11 +11,11 @@ from pathlib import Path
 from unittest.mock import patch
 
 import fleet_tui
-from fleet_tui.app import FleetApp
-from fleet_tui.languages import ENGLISH, use_language
-from fleet_tui.themes import load_themes
-from fleet_tui.view.map.drawing import Drawing
-from fleet_tui.widgets.runs_view import RunsView
+from fleet_tui.console.app import FleetApp
+from fleet_tui.ui.languages import ENGLISH, use_language
+from fleet_tui.ui.themes import load_themes
+from fleet_tui.ui.view.map.drawing import Drawing
+from fleet_tui.ui.widgets.runs_view import RunsView
 from tests.bench.bench_bytes import CountingDriver
 from tests.bench.driven_fleet import TICK, DrivenFleet
 from tests.bench.rows import Row, row
@@ -69,7 +69,7 @@ def german_tick_ms(robots: int) -> float:
 
 
 def main() -> list[Row]:
-    clock = patch("fleet_tui.widgets.pace.monotonic", lambda: CLOCK[0])
+    clock = patch("fleet_tui.ui.widgets.pace.monotonic", lambda: CLOCK[0])
     with clock, patch.dict(os.environ, TERM="xterm-256color", COLORTERM="truecolor"):
         os.environ.pop("NO_COLOR", None)
         # In turn, and of each the run that was disturbed least.

@@ -10,10 +10,10 @@ import time
 
 import cbor2
 
-from fleet_tui.adapters.adapter import Limit, Site
-from fleet_tui.adapters.nav2.adapter import Nav2
-from fleet_tui.adapters.profile import Profile
-from fleet_tui.adapters.ros.reading import FrameReader
+from fleet_tui.robots.adapter import Limit, Site
+from fleet_tui.robots.nav2.adapter import Nav2
+from fleet_tui.robots.profile import Profile
+from fleet_tui.robots.ros.reading import FrameReader
 from fleet_tui.state.store import Store
 from tests.bench.rows import Row, row
 from tests.support.fleets import R0, fleet

@@ -13,9 +13,9 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from fleet_tui.cli.session import opened
-from fleet_tui.client.fleet_link import FleetLink
 from fleet_tui.config.load import from_text
 from fleet_tui.config.start import initial_state
+from fleet_tui.links.fleet_link import FleetLink
 from fleet_tui.state.store import Store
 from tests.bench.bench_steady import steady
 from tests.bench.rows import Row, row, times_source

@@ -16,13 +16,13 @@ from typing import Any
 from textual.drivers.linux_driver import LinuxDriver
 
 from fleet_tui.__main__ import main as fleet_tui
-from fleet_tui.app import FleetApp
-from fleet_tui.controllers.map import MapControls
+from fleet_tui.console.app import FleetApp
+from fleet_tui.console.main_screen import MainScreen
 from fleet_tui.model.events import Event, PoseReported
-from fleet_tui.screens.main import MainScreen
-from fleet_tui.screens.tables.tools import FilterLine
 from fleet_tui.state.store import Store
-from fleet_tui.terminal.lean_app import LeanApp
+from fleet_tui.ui.controllers.map import MapControls
+from fleet_tui.ui.screens.tables.tools import FilterLine
+from fleet_tui.ui.terminal.lean_app import LeanApp
 
 BEAT = 0.002
 noted: dict[str, list[Any]] = {
@@ -143,7 +143,7 @@ def tasks() -> None:
 
 def counts() -> None:
     """The numbers of topic messages that were applied, dropped and rejected."""
-    from fleet_tui.client.fleet_link import FleetLink
+    from fleet_tui.links.fleet_link import FleetLink
 
     def closed(link: FleetLink) -> None:
         links = link.counters.values()

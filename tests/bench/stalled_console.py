@@ -9,14 +9,14 @@ import time
 from pathlib import Path
 
 import fleet_tui
-from fleet_tui.app import FleetApp
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
-from fleet_tui.demo import demo_config, simulated
+from fleet_tui.console.app import FleetApp
+from fleet_tui.console.demo import demo_config, simulated
+from fleet_tui.links.transports.rosbridge.connection import Connection
 from fleet_tui.state.store import Store
-from fleet_tui.themes import load_themes
-from fleet_tui.transports.rosbridge.connection import Connection
-from fleet_tui.view.map.drawing import Drawing
+from fleet_tui.ui.themes import load_themes
+from fleet_tui.ui.view.map.drawing import Drawing
 
 BEAT = 0.005
 ROBOTS = 10

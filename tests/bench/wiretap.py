@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
-from fleet_tui.transports.rosbridge.connection import Connection
+from fleet_tui.links.transports.rosbridge.connection import Connection
 
 
 @contextmanager

@@ -16,7 +16,7 @@ from fleet_tui.simulator.oh_ressources.fleet import OhFleet
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.terminal.detect import IN_BROWSER
+from fleet_tui.ui.terminal.detect import IN_BROWSER
 from tests.support.cli import asked, run
 from tests.support.site_faults import PLANTS
 

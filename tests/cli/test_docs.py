@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from fleet_tui.documentation import pages
+from fleet_tui.ui.documentation import pages
 from tests.support.command_line import run
 from tests.support.in_pty import Terminal
 

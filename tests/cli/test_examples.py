@@ -8,7 +8,7 @@ import click
 import pytest
 
 from fleet_tui.cli.examples import EXAMPLES
-from fleet_tui.cli.main import commands
+from fleet_tui.main import commands
 
 LINES = [(path, line) for path, examples in EXAMPLES.items() for line, _ in examples]
 

@@ -7,11 +7,11 @@ from pathlib import Path
 import msgspec
 import pytest
 
-from fleet_tui.adapters.registry import DEFAULT_KIND, KINDS
 from fleet_tui.cli.orders.giving import command, how, pause
 from fleet_tui.cli.status.status import status
 from fleet_tui.config.schema import Config
-from fleet_tui.doctor.run import doctor
+from fleet_tui.features.doctor.run import doctor
+from fleet_tui.robots.registry import DEFAULT_KIND, KINDS
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.cli import asked, run
 from tests.support.made_up_kind import mixed

@@ -8,8 +8,8 @@ from pathlib import Path
 import click
 import pytest
 
-from fleet_tui.cli.main import commands
 from fleet_tui.cli.manual import manual
+from fleet_tui.main import commands
 from tests.support.command_line import run
 
 ROOT = click.Context(commands, info_name="fleet-tui")

@@ -10,7 +10,7 @@ from fleet_tui.config.access import access_problems, secret
 from fleet_tui.config.check import checked
 from fleet_tui.config.load import load
 from fleet_tui.config.schema import Link
-from fleet_tui.errors import ConfigError
+from fleet_tui.text.errors import ConfigError
 from tests.support.secrets import SHARED, WORD, bridged, kept
 from tests.support.watched_store import config_of
 

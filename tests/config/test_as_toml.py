@@ -7,13 +7,13 @@ import msgspec
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fleet_tui.adapters.profile import Profile
 from fleet_tui.config.access import without_secrets
 from fleet_tui.config.entries import FloorEntry, RobotEntry
 from fleet_tui.config.load import read
 from fleet_tui.config.programs import ProgramEntry
 from fleet_tui.config.saving import as_toml
 from fleet_tui.config.schema import Alarms, Config, Link, Operator
+from fleet_tui.robots.profile import Profile
 
 TEXT = st.text(st.characters(exclude_categories=["Cs"]))
 

@@ -8,7 +8,7 @@ from msgspec.structs import replace
 from fleet_tui.config.check import checked, missing_files
 from fleet_tui.config.entries import FloorEntry, RobotEntry
 from fleet_tui.config.schema import Alarms, Config, Link, Notify
-from fleet_tui.errors import did_you_mean
+from fleet_tui.text.errors import did_you_mean
 
 GOOD = Config(
     floors=[FloorEntry("floor_0"), FloorEntry("floor_1")],

@@ -3,7 +3,7 @@
 import pytest
 
 from fleet_tui.config.load import from_text
-from fleet_tui.errors import ConfigError
+from fleet_tui.text.errors import ConfigError
 
 ROBOT = '[[floors]]\nname = "a"\n[[robots]]\nname = "agv_1"\nlink = "site"\n[links.site]\n'
 

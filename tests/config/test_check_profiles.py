@@ -5,10 +5,10 @@ import math
 import pytest
 from msgspec.structs import replace
 
-from fleet_tui.adapters.profile import Profile
 from fleet_tui.config.check import checked
 from fleet_tui.config.entries import RobotEntry
 from fleet_tui.config.schema import Config, Link
+from fleet_tui.robots.profile import Profile
 from tests.support.watched_store import config_of
 
 GOOD = config_of("ws://a", 2, 2)

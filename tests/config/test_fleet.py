@@ -5,13 +5,13 @@ from typing import Any
 
 import pytest
 
-from fleet_tui.adapters.profile import DriveConfig
 from fleet_tui.config.fleet import adapters_of, drive_of, feeds_of
 from fleet_tui.config.load import load, read
 from fleet_tui.config.schema import Config
-from fleet_tui.errors import WireError
 from fleet_tui.model.events import BatteryReported, Event, ObstacleReported, PausedReported, PoseReported
 from fleet_tui.model.geometry import Pose
+from fleet_tui.robots.profile import DriveConfig
+from fleet_tui.text.errors import WireError
 
 SITE = '[[floors]]\nname = "hall"\n[[robots]]\nname = "r1"\n'
 TURN = {"x": 0.0, "y": 0.0, "z": 0.0, "w": 1.0}

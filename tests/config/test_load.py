@@ -7,7 +7,7 @@ import pytest
 
 from fleet_tui.config.load import find, load, load_if_any, shipped
 from fleet_tui.config.start import initial_state
-from fleet_tui.errors import ConfigError, NoConfigError
+from fleet_tui.text.errors import ConfigError, NoConfigError
 from tests.support.adapters import names_of
 
 ENOUGH = """

@@ -9,9 +9,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from fleet_tui.config.load import load
-from fleet_tui.errors import ConfigError
-from fleet_tui.themes import BASE, load_themes, read_theme
-from fleet_tui.view.roles import StyleRole
+from fleet_tui.text.errors import ConfigError
+from fleet_tui.ui.themes import BASE, load_themes, read_theme
+from fleet_tui.ui.view.roles import StyleRole
 
 TABLES = (
     "rosbridge",

@@ -4,7 +4,7 @@ import pytest
 
 from fleet_tui.config.load import from_text
 from fleet_tui.config.programs import ProgramEntry
-from fleet_tui.errors import ConfigError
+from fleet_tui.text.errors import ConfigError
 
 FLEET = '[[floors]]\nname = "f"\n[[robots]]\nname = "r"\n'
 

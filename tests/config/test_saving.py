@@ -8,7 +8,7 @@ import pytest
 from fleet_tui.config.fleet import watching
 from fleet_tui.config.load import load
 from fleet_tui.config.saving import Saving, write_config
-from fleet_tui.errors import FleetError
+from fleet_tui.text.errors import FleetError
 from tests.support.watched_store import config_of
 
 

@@ -9,14 +9,14 @@ from pathlib import Path
 import pytest
 from msgspec.structs import replace
 
-from fleet_tui.audit.reader import AuditReader
 from fleet_tui.config.access import access_problems
 from fleet_tui.config.load import load
 from fleet_tui.config.schema import LINK_FILES, Link
-from fleet_tui.errors import ConfigError, LinkError
+from fleet_tui.links.transports.tls import tls_context
 from fleet_tui.maps.images import load_floor_map
-from fleet_tui.themes import load_themes
-from fleet_tui.transports.tls import tls_context
+from fleet_tui.records.audit.reader import AuditReader
+from fleet_tui.text.errors import ConfigError, LinkError
+from fleet_tui.ui.themes import load_themes
 from tests.support.watched_store import config_of
 
 WORDS = "not a regular file"
@@ -72,6 +72,6 @@ def test_audit_log(tmp_path: Path, make: Make) -> None:
 def test_log(tmp_path: Path, make: Make) -> None:
     (tmp_path / "fleet-tui").mkdir()
     make(tmp_path / "fleet-tui" / "fleet-tui.log")
-    code = "from fleet_tui.log_file import log_to_file; print(log_to_file(False))"
+    code = "from fleet_tui.config.log_file import log_to_file; print(log_to_file(False))"
     env = {**os.environ, "XDG_STATE_HOME": str(tmp_path)}
     assert subprocess.check_output([sys.executable, "-c", code], env=env, timeout=8) == b"None\n"

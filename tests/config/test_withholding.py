@@ -11,9 +11,9 @@ from fleet_tui.config.saving import Saving
 from fleet_tui.config.schema import Config
 from fleet_tui.config.trust import saying_yes
 from fleet_tui.config.withholding import TRUST
-from fleet_tui.errors import FleetError, RoutineError
-from fleet_tui.routines.files import read_routine
-from fleet_tui.routines.programs import program_problem
+from fleet_tui.features.routines.files import read_routine
+from fleet_tui.features.routines.programs import program_problem
+from fleet_tui.text.errors import FleetError, RoutineError
 from tests.support.users import give, two_users
 
 pytestmark = two_users

@@ -5,9 +5,9 @@ from pathlib import Path
 
 import pytest
 
-from fleet_tui.client.rosbridge import heartbeat, latched, renewals, sourcing
+from fleet_tui.links.rosbridge import heartbeat, latched, renewals, sourcing
+from fleet_tui.links.transports.rosbridge import connection
 from fleet_tui.simulator.faults import wire, world
-from fleet_tui.transports.rosbridge import connection
 
 SHORT = (
     # Autobahn cuts its times down to whole seconds of the clock: 2 is 1 to 2.

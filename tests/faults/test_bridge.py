@@ -6,18 +6,18 @@ from functools import partial
 
 import pytest
 
-from fleet_tui.adapters.ros.reading import FrameReader, Read
+from fleet_tui.commands.checks import problems
 from fleet_tui.model.commands import PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath
 from fleet_tui.model.problem import Permissions
 from fleet_tui.model.request import Request
-from fleet_tui.rules.commands.checks import problems
+from fleet_tui.robots.ros.reading import FrameReader, Read
 from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.situation.links import LATE_FROM
-from fleet_tui.view.tables.news import news
+from fleet_tui.ui.view.tables.news import news
 from tests.support.bridge_faults import all_online, raised
 from tests.support.fault_report import report
 from tests.support.fleets import R0, place_order

@@ -9,9 +9,9 @@ from tempfile import TemporaryDirectory
 
 import pytest
 
-from fleet_tui.desk.fact_file import FILE
+from fleet_tui.commands.rivals import rivals_text
 from fleet_tui.model.commands import Command, PauseRobot, ResumeRobot, Stage
-from fleet_tui.rules.commands.rivals import rivals_text
+from fleet_tui.records.desk.fact_file import FILE
 from tests.support.fault_report import report
 from tests.support.fleets import commanded
 from tests.support.shared_desk import R3, DeskConsole, at_desk
@@ -19,7 +19,7 @@ from tests.support.shared_desk import R3, DeskConsole, at_desk
 CONSOLE = """
 import os, sys, time
 from pathlib import Path
-from fleet_tui.desk import fact_file
+from fleet_tui.records.desk import fact_file
 from fleet_tui.model.history.facts import Note
 from tests.support.polling import eventually
 from tests.support.shared_desk import DeskConsole

@@ -10,14 +10,14 @@ from types import SimpleNamespace
 import pytest
 from msgspec.structs import replace
 
-from fleet_tui.client.rosbridge import pulse
 from fleet_tui.config.schema import Link
-from fleet_tui.errors import LinkError
+from fleet_tui.links.rosbridge import pulse
+from fleet_tui.links.transports.rosbridge import connection as transport
 from fleet_tui.model.commands import PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.events import LinkChanged, MessageRejected
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.transports.rosbridge import connection as transport
+from fleet_tui.text.errors import LinkError
 from tests.support.fault_proxy import UPGRADE, Attend, answer, before, drop, goodbye, mute
 from tests.support.fault_report import report
 from tests.support.invariants import linked

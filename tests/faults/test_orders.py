@@ -4,13 +4,13 @@ from pathlib import Path
 
 import pytest
 
-from fleet_tui.audit.elsewhere import watched_commands
-from fleet_tui.audit.entries import Origin
-from fleet_tui.audit.file import FILE_NAME, audit_file
-from fleet_tui.audit.log import Audit
 from fleet_tui.model.commands import ClearOrders, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order_life import BLIND_AFTER
+from fleet_tui.records.audit.elsewhere import watched_commands
+from fleet_tui.records.audit.entries import Origin
+from fleet_tui.records.audit.file import FILE_NAME, audit_file
+from fleet_tui.records.audit.log import Audit
 from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.fault_report import report

@@ -8,7 +8,7 @@ from tests.support.terminal_session import exists, in_terminal
 
 BREAKS = """
 import os
-import fleet_tui.view.tables.fleet as rows
+import fleet_tui.ui.view.tables.fleet as rows
 real = rows.fleet_table
 
 def fleet_table(*args):

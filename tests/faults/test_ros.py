@@ -6,8 +6,8 @@ from types import SimpleNamespace
 import pytest
 from msgspec.structs import replace
 
-from fleet_tui.client.rosbridge.heartbeat import NO_NODE
 from fleet_tui.config.schema import Config
+from fleet_tui.links.rosbridge.heartbeat import NO_NODE
 from fleet_tui.model.commands import PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath, Phase
@@ -136,7 +136,7 @@ async def test_the_systems_clock_jumps(
     async with through(server) as (_, link, store, watch):
         shifted = SimpleNamespace(time=lambda: time.time() + hours * 3600, monotonic=time.monotonic)
         for module in ("writer", "fleet_link", "rosbridge.command_channel", "rosbridge.telemetry"):
-            monkeypatch.setattr(f"fleet_tui.client.{module}.time", shifted)
+            monkeypatch.setattr(f"fleet_tui.links.{module}.time", shifted)
         watch.start()
         await watch.until(lambda state: abs(state.wall - time.time() - hours * 3600) < 10)
         assert (await finished(link, store, PauseRobot("robot_0"))).stage is Stage.CONFIRMED

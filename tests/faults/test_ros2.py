@@ -4,8 +4,8 @@ from collections.abc import AsyncIterator
 
 import pytest
 
-from fleet_tui.client.rosbridge import latched
-from fleet_tui.demo import demo_config
+from fleet_tui.console.demo import demo_config
+from fleet_tui.links.rosbridge import latched
 from fleet_tui.model.commands import PauseRobot, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.simulator.faults import wire

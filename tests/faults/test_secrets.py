@@ -14,8 +14,8 @@ from websockets.asyncio.server import ServerConnection, serve
 from websockets.http11 import Request, Response
 
 from fleet_tui.config.schema import Link
-from fleet_tui.recording.indexing import open_recording
-from fleet_tui.recording.records import Keyframe
+from fleet_tui.records.recording.indexing import open_recording
+from fleet_tui.records.recording.records import Keyframe
 from tests.support.invariants import linked
 from tests.support.polling import HANGS
 from tests.support.proxied_link import lost

@@ -6,11 +6,11 @@ from pathlib import Path
 import pytest
 from msgspec.structs import replace
 
-from fleet_tui.client.fleet_link import FleetLink
 from fleet_tui.config.schema import Config, Link
-from fleet_tui.errors import ConfigError
+from fleet_tui.links.fleet_link import FleetLink
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.state.store import Store
+from fleet_tui.text.errors import ConfigError
 from tests.support.certificates import Signed, sign
 from tests.support.fault_proxy import before
 from tests.support.fault_report import report

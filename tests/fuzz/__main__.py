@@ -15,16 +15,16 @@ from pathlib import Path
 import atheris  # type: ignore[import-not-found, import-untyped, unused-ignore]  # installed by `make fuzz` alone
 
 with atheris.instrument_imports(include=["fleet_tui", "yaml", "tomllib", "PIL"]):
-    from fleet_tui.adapters.ros.operations import Publish, ServiceResponse, decode, decode_cbor
     from fleet_tui.config.load import load
-    from fleet_tui.errors import ConfigError, WireError
     from fleet_tui.maps.images import load_floor_map
     from fleet_tui.maps.route_graphs import load_floor_graph
     from fleet_tui.model.commands import PauseRobot
-    from fleet_tui.recording.indexing import open_recording
-    from fleet_tui.recording.records import Keyframe, RecordingError
+    from fleet_tui.records.recording.indexing import open_recording
+    from fleet_tui.records.recording.records import Keyframe, RecordingError
+    from fleet_tui.robots.ros.operations import Publish, ServiceResponse, decode, decode_cbor
+    from fleet_tui.text.errors import ConfigError, WireError
     from fleet_tui.text.sanitize import cell_width, fit, sanitize
-    from fleet_tui.themes import load_themes, read_theme
+    from fleet_tui.ui.themes import load_themes, read_theme
     from tests.support.adapters import adapter_of
     from tests.support.recordings import header, keyframe, packed
 

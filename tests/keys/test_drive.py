@@ -1,8 +1,8 @@
 """The keys of driving by hand."""
 
-from fleet_tui.keymap import keymap
 from fleet_tui.keys import BY_ID, KEYS, Pane
 from fleet_tui.keys.drive import PASSES
+from fleet_tui.keys.keymap import keymap
 
 
 def test_the_keys_that_end_a_drive_exist() -> None:

@@ -1,7 +1,7 @@
 """The keys of the graph editor."""
 
-from fleet_tui.keymap import keymap
 from fleet_tui.keys import KEYS, Pane
+from fleet_tui.keys.keymap import keymap
 
 
 def test_a_key_of_the_editor_may_be_one_of_the_console_but_not_of_another_step() -> None:

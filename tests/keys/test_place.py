@@ -1,7 +1,7 @@
 """The keys of poses and goals."""
 
-from fleet_tui.keymap import keymap
 from fleet_tui.keys import KEYS, Pane
+from fleet_tui.keys.keymap import keymap
 
 
 def test_they_may_be_keys_of_the_map_and_of_the_editor() -> None:

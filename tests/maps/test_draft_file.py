@@ -6,10 +6,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from fleet_tui.features.graphs.rules.edits import added
 from fleet_tui.maps.draft_file import Done, DraftFile, Redone, Undone
 from fleet_tui.model.graphs.document import DocumentFloor, DocumentVertex
 from fleet_tui.model.graphs.draft import GraphDraft
-from fleet_tui.rules.graphs.edits import added
 
 
 def begun(folder: Path) -> tuple[DraftFile, GraphDraft]:

@@ -5,11 +5,11 @@ from pathlib import Path
 
 import pytest
 
-from fleet_tui.errors import GraphError
-from fleet_tui.graph_files.graph_file import ReadChoices
 from fleet_tui.maps import graph_storage
+from fleet_tui.maps.formats.graph_file import ReadChoices
 from fleet_tui.maps.graph_storage import graph_text, load_graph_file, save_graph_file
 from fleet_tui.model.graphs.document import GraphFormat
+from fleet_tui.text.errors import GraphError
 from tests.support.graph_files import sample, write_text
 
 

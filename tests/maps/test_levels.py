@@ -9,9 +9,9 @@ import msgspec
 import pytest
 from PIL import Image
 
-from fleet_tui.errors import WireError
 from fleet_tui.maps.levels import read_levels
 from fleet_tui.model.geometry import Pose
+from fleet_tui.text.errors import WireError
 
 
 def picture(width: int = 4, height: int = 2) -> bytes:

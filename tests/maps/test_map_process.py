@@ -4,12 +4,12 @@ import json
 
 import pytest
 
-from fleet_tui.adapters.adapter import Feed
-from fleet_tui.adapters.profile import Profile
-from fleet_tui.errors import WireError
 from fleet_tui.maps.map_process import decode_apart
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.occupancy import FREE, OCCUPIED, UNKNOWN
+from fleet_tui.robots.adapter import Feed
+from fleet_tui.robots.profile import Profile
+from fleet_tui.text.errors import WireError
 
 POSE = {"position": {"x": 1.0, "y": 2.0, "z": 0.0}, "orientation": {"x": 0.0, "y": 0.0, "z": 0.0, "w": 1.0}}
 INFO = {"resolution": 0.05, "width": 3, "height": 2, "origin": POSE}

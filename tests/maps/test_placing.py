@@ -6,9 +6,9 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from fleet_tui.errors import MapError
 from fleet_tui.maps.placing import COARSEST, FINEST, placed
 from fleet_tui.model.geometry import MapFrame
+from fleet_tui.text.errors import MapError
 
 PICTURE = MapFrame(1.0, 800, 400)
 columns, rows = st.floats(0.0, 800.0), st.floats(0.0, 400.0)

@@ -11,9 +11,9 @@ from pathlib import Path
 import pytest
 from PIL import Image
 
-from fleet_tui.adapters.adapter import Limit
-from fleet_tui.errors import WireError
 from fleet_tui.maps.png_text import text_of_png
+from fleet_tui.robots.adapter import Limit
+from fleet_tui.text.errors import WireError
 
 WIRE = Path(__file__).parent.parent / "wire"
 

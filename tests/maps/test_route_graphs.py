@@ -8,9 +8,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fleet_tui.graph_files.graph_file import ReadChoices
-from fleet_tui.graph_files.reading import read_graph
 from fleet_tui.maps import route_graphs
+from fleet_tui.maps.formats.graph_file import ReadChoices
+from fleet_tui.maps.formats.reading import read_graph
 from fleet_tui.maps.route_graphs import load_floor_graph
 from fleet_tui.model.events import FloorGraphLoaded
 from fleet_tui.model.graph import Edge, Role, RouteGraph

@@ -10,13 +10,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from fleet_tui.errors import MapError
 from fleet_tui.maps import saving
 from fleet_tui.maps.images import load_floor_map
 from fleet_tui.maps.saving import map_files, pgm_of, save_map, yaml_of
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.occupancy import Classes, build_grid, grid_from_ros
+from fleet_tui.text.errors import MapError
 
 PLACE = Pose(-1.1, 2.2, 0.3)
 CLASSES = np.array([[0, 1, 2], [2, 1, 0]], np.uint8)

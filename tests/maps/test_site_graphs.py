@@ -2,9 +2,9 @@
 
 import pytest
 
-from fleet_tui.errors import GraphError
 from fleet_tui.maps.route_graphs import read_site_graph
 from fleet_tui.model.graph import Role
+from fleet_tui.text.errors import GraphError
 
 RMF = """
 levels:

@@ -4,9 +4,9 @@ import math
 
 import pytest
 
-from fleet_tui.errors import MapError
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.grid import MAX_PIXELS, check_frame
+from fleet_tui.text.errors import MapError
 
 ORIGIN = Pose(0.0, 0.0)
 

@@ -5,10 +5,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fleet_tui.errors import MapError
 from fleet_tui.model.geometry import MapFrame
 from fleet_tui.model.grid import MAX_PIXELS
 from fleet_tui.model.occupancy import FREE, OCCUPIED, UNKNOWN, build_grid, grid_from_ros
+from fleet_tui.text.errors import MapError
 
 SIZES = st.tuples(st.integers(1, 40), st.integers(1, 40))
 

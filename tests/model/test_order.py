@@ -31,7 +31,7 @@ from fleet_tui.model.order import (
     natural,
     route_text,
 )
-from fleet_tui.rules.commands.pauses import WAITS
+from fleet_tui.situation.pauses import WAITS
 from tests.support.fleets import R0, T0, commanded, fleet, graph, link_up, place_order, pose, reduced, tick
 
 GOAL = "3f2a-77"

@@ -10,7 +10,7 @@ from fleet_tui.config.entries import DEFAULT_LINK
 from fleet_tui.config.fleet import adapters_of, feeds_of
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
-from fleet_tui.demo import demo_config
+from fleet_tui.console.demo import demo_config
 from fleet_tui.model.alarm import AlarmStage, Key, transitions
 from fleet_tui.model.events import LinkChanged, MessageArrived, TimePassed
 from fleet_tui.model.fleet import FleetState

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from fleet_tui.recording.indexing import open_recording
-from fleet_tui.recording.records import Keyframe
+from fleet_tui.records.recording.indexing import open_recording
+from fleet_tui.records.recording.records import Keyframe
 from fleet_tui.simulator.nav2.faults import FAULTS
 from fleet_tui.simulator.nav2.navigation import TO_POSE
 from fleet_tui.simulator.ros.goals import EXECUTING, SUCCEEDED

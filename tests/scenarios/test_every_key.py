@@ -6,12 +6,12 @@ from pathlib import Path
 import pytest
 from msgspec.structs import replace
 
-from fleet_tui.app import FleetApp
-from fleet_tui.controllers.files import ConsoleFiles
+from fleet_tui.console.app import FleetApp
 from fleet_tui.keys import Pane
 from fleet_tui.model.history.facts import Activity, Span
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
+from fleet_tui.ui.controllers.files import ConsoleFiles
 from tests.support.console_pilot import Console, console
 from tests.support.key_effects import Presses, close_all, focus, overlays
 from tests.support.nav2_site import nav2_site

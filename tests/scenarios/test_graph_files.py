@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from fleet_tui.model.events import FloorGraphLoaded
-from fleet_tui.recording.indexing import open_recording
-from fleet_tui.recording.records import EventRecord
+from fleet_tui.records.recording.indexing import open_recording
+from fleet_tui.records.recording.records import EventRecord
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.simulator.warehouse import build_floor
 from tests.support.cli import asked, config_file, run

@@ -6,21 +6,21 @@ from typing import Any
 
 from websockets.asyncio.client import ClientConnection, connect
 
-from fleet_tui.adapters.adapter import Feed, Limit
-from fleet_tui.adapters.discovery import Listed
-from fleet_tui.adapters.move_base.discovery import STATUS_TYPE, discover
-from fleet_tui.adapters.profile import Profile
-from fleet_tui.adapters.ros.reading import FrameReader
 from fleet_tui.config.entries import FloorEntry, RobotEntry
 from fleet_tui.config.fleet import adapters_of, feeds_of
 from fleet_tui.config.schema import Config, Link
 from fleet_tui.config.start import initial_state
-from fleet_tui.errors import WireError
 from fleet_tui.model.commands import Stage
 from fleet_tui.model.events import GridReceived
+from fleet_tui.robots.adapter import Feed, Limit
+from fleet_tui.robots.discovery import Listed
+from fleet_tui.robots.move_base.discovery import STATUS_TYPE, discover
+from fleet_tui.robots.profile import Profile
+from fleet_tui.robots.ros.reading import FrameReader
 from fleet_tui.simulator.move_base.fleet import MoveBaseFleet
 from fleet_tui.simulator.move_base.navigation import NO_PLAN
 from fleet_tui.simulator.server import RosbridgeServer
+from fleet_tui.text.errors import WireError
 from tests.support.fleets import LINK, R0, T0, link_up, recording, reduced, tick
 from tests.support.move_base_client import publish
 from tests.support.nav2_client import listen, settle

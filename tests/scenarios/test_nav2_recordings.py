@@ -6,10 +6,10 @@ import pytest
 
 from fleet_tui.cli.status.report import attention
 from fleet_tui.model.commands import Stage
-from fleet_tui.rules.causes import cause_of_end
-from fleet_tui.rules.history.activity import activities
-from fleet_tui.rules.why.why import reasons
-from fleet_tui.view.tables.doing import state_texts
+from fleet_tui.situation.activity import activities
+from fleet_tui.situation.causes import cause_of_end
+from fleet_tui.situation.why.why import reasons
+from fleet_tui.ui.view.tables.doing import state_texts
 from tests.support.fleets import R0
 from tests.support.nav2_recordings import replayed
 

@@ -6,15 +6,15 @@ from typing import Any
 
 import pytest
 
-from fleet_tui.adapters.vda5050.fields import Fields
+from fleet_tui.commands.checks import problems
 from fleet_tui.config.load import from_text
 from fleet_tui.model.commands import PlaceOrder, Stage
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.order import Stop
 from fleet_tui.model.problem import Permissions
 from fleet_tui.model.request import Request
-from fleet_tui.rules.commands.checks import problems
-from fleet_tui.view.tables.missions import whose_mission
+from fleet_tui.robots.vda5050.fields import Fields
+from fleet_tui.ui.view.tables.missions import whose_mission
 from tests.support.broker import BrokerAccess, broker_in
 from tests.support.vda_broker import SpokenFor, console_on
 from tests.support.vda_fleet import VehicleSite, config_text

@@ -2,13 +2,13 @@
 
 from pathlib import Path
 
-from fleet_tui.audit.elsewhere import watched_commands
-from fleet_tui.audit.log import auditing
 from fleet_tui.config.fleet import watching
 from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.facts import OrderChange
-from fleet_tui.rules.history.observing import Observer
+from fleet_tui.records.audit.elsewhere import watched_commands
+from fleet_tui.records.audit.log import auditing
+from fleet_tui.records.history.observing import Observer
 from tests.support.links import linked
 from tests.support.move_base_site import move_base_site
 from tests.support.nav2_site import keeping, nav2_ready, reached

@@ -12,7 +12,7 @@ import pytest
 from fleet_tui.simulator.messages import graph_of, labels_of
 from fleet_tui.simulator.robot import SimRobot
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.terminal.typing import GAP, STANDSTILL
+from fleet_tui.ui.terminal.typing import GAP, STANDSTILL
 from tests.support.bridge_thread import BridgeThread
 from tests.support.cli import config_file
 from tests.support.terminal_session import InTerminal, in_terminal

@@ -9,12 +9,12 @@ from pathlib import Path
 
 import pytest
 
+from fleet_tui.links.transports.loop import network_loop
 from fleet_tui.model.commands import PauseRobot, PlaceOrder, Stage
 from fleet_tui.model.events import CommandIssued
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.order import Stop, at_vertices
-from fleet_tui.transports.loop import network_loop
 from tests.support.broker import RealBroker, broker_in
 from tests.support.links import finished
 from tests.support.mqtt_peer import Peer

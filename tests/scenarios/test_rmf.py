@@ -7,12 +7,12 @@ from pathlib import Path
 import msgspec
 import pytest
 
-from fleet_tui.adapters.profile import Profile
 from fleet_tui.config.start import initial_state
 from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import OrderState, at_vertices
-from fleet_tui.rules.commands.local_queue import all_orders
+from fleet_tui.orders.local_queue import all_orders
+from fleet_tui.robots.profile import Profile
 from fleet_tui.simulator.rmf.faults import restart_dispatcher
 from tests.support.links import finished, linked
 from tests.support.rmf_site import FIRST, SECOND, Hospital, hospital, rmf_ready, stands_at, to

@@ -7,9 +7,9 @@ import msgspec
 import numpy as np
 from PIL import Image
 
-from fleet_tui.adapters.profile import Profile
 from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.robots.profile import Profile
 from fleet_tui.simulator.floorplan import FREE, ORIGIN, RESOLUTION
 from tests.support.console_pilot import console
 from tests.support.rmf_site import FIRST, Hospital, hospital, rmf_ready

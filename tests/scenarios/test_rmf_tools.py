@@ -6,18 +6,18 @@ import re
 import time
 from pathlib import Path
 
-from fleet_tui.audit.entries import Origin
 from fleet_tui.cli.session import opened
-from fleet_tui.client.fleet_link import FleetLink
 from fleet_tui.config.schema import Link
 from fleet_tui.config.start import initial_state
-from fleet_tui.discovery.site import start_discovery
-from fleet_tui.doctor.run import doctor
+from fleet_tui.features.doctor.run import doctor
+from fleet_tui.links.discovery.site import start_discovery
+from fleet_tui.links.fleet_link import FleetLink
 from fleet_tui.model.commands import PauseRobot
 from fleet_tui.model.order import OrderState
-from fleet_tui.recording.indexing import open_recording
-from fleet_tui.recording.play.cursor import RecordingCursor
-from fleet_tui.recording.recorder import Recorder
+from fleet_tui.records.audit.entries import Origin
+from fleet_tui.records.recording.indexing import open_recording
+from fleet_tui.records.recording.play.cursor import RecordingCursor
+from fleet_tui.records.recording.recorder import Recorder
 from fleet_tui.simulator.rmf.faults import FAULTS
 from tests.support.links import finished
 from tests.support.rmf_site import FIRST, SECOND, Hospital, hospital, rmf_ready, to

@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 from msgspec.structs import replace
 
-from fleet_tui.languages import ENGLISH, use_language
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.view.help.pages import legend
+from fleet_tui.ui.languages import ENGLISH, use_language
+from fleet_tui.ui.view.help.pages import legend
 from tests.support.catalogues import LANGUAGES, translations
 from tests.support.console_pilot import Console, console
 from tests.support.nav2_site import nav2_ready, nav2_site

@@ -11,7 +11,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import at_vertices
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.view.tables.fleet import fleet_table
+from fleet_tui.ui.view.tables.fleet import fleet_table
 from tests.support.broker import broker_in
 from tests.support.console_pilot import console
 from tests.support.links import linked

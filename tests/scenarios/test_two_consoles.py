@@ -7,15 +7,15 @@ from pathlib import Path
 
 import pytest
 
-from fleet_tui.audit.elsewhere import watched_commands
-from fleet_tui.audit.entries import Origin
-from fleet_tui.audit.file import FILE_NAME, audit_file
-from fleet_tui.audit.log import Audit
-from fleet_tui.client.fleet_link import FleetLink
+from fleet_tui.commands.rivals import rivals_text
 from fleet_tui.config.start import initial_state
+from fleet_tui.links.fleet_link import FleetLink
 from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, CommandRecord, PauseRobot, Stage
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.rules.commands.rivals import rivals_text
+from fleet_tui.records.audit.elsewhere import watched_commands
+from fleet_tui.records.audit.entries import Origin
+from fleet_tui.records.audit.file import FILE_NAME, audit_file
+from fleet_tui.records.audit.log import Audit
 from fleet_tui.simulator import robot
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import console

@@ -13,11 +13,11 @@ from textual.widgets import Button, Input, OptionList, Static
 
 from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, PauseRobot, PlaceOrder, ResumeRobot
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.screens.confirm import Confirm
-from fleet_tui.screens.menu import Menu
 from fleet_tui.simulator.robot import SimRobot
 from fleet_tui.simulator.server import RosbridgeServer
-from fleet_tui.terminal.typing import GAP
+from fleet_tui.ui.screens.confirm import Confirm
+from fleet_tui.ui.screens.menu import Menu
+from fleet_tui.ui.terminal.typing import GAP
 from tests.support.console_pilot import Console, console
 from tests.support.watched_store import config_of
 

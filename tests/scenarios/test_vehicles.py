@@ -8,17 +8,17 @@ from pathlib import Path
 import pytest
 from msgspec.structs import replace
 
-from fleet_tui.client.fleet_link import FleetLink
+from fleet_tui.commands.routes.charging import order_to_charger
 from fleet_tui.config.schema import Link
-from fleet_tui.discovery.site import start_discovery
+from fleet_tui.links.discovery.site import start_discovery
+from fleet_tui.links.fleet_link import FleetLink
 from fleet_tui.model.commands import ClearOrders, Command, PauseRobot, PlaceOrder, ResumeRobot, Stage
 from fleet_tui.model.events import FloorGraphLoaded
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.graph import Edge, Role, RouteGraph
 from fleet_tui.model.order import Stop, at_vertices
-from fleet_tui.rules.battery.charging import charging_reported
-from fleet_tui.rules.routes.charging import order_to_charger
+from fleet_tui.situation.battery.charging import charging_reported
 from tests.support.broker import RealBroker, broker_in
 from tests.support.links import finished, linked
 from tests.support.mqtt_peer import Peer

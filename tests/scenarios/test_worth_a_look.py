@@ -8,13 +8,13 @@ from fleet_tui.model.events import Event, MessageRejected, ObstacleReported, Pau
 from fleet_tui.model.fleet import FleetState, with_robot
 from fleet_tui.model.order import Order
 from fleet_tui.model.order_life import GoneOrder
-from fleet_tui.rules.alarms.trouble import next_in_trouble
+from fleet_tui.situation.alarms.trouble import next_in_trouble
 from fleet_tui.text.language import EMPTY, Message
-from fleet_tui.view.lines.hints import idle_hints
-from fleet_tui.view.lines.status import status_line
-from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.alarms import alarm_table
-from fleet_tui.view.tables.fleet import fleet_table
+from fleet_tui.ui.view.lines.hints import idle_hints
+from fleet_tui.ui.view.lines.status import status_line
+from fleet_tui.ui.view.roles import StyleRole
+from fleet_tui.ui.view.tables.alarms import alarm_table
+from fleet_tui.ui.view.tables.fleet import fleet_table
 from tests.support.fleets import (
     R0,
     T0,

@@ -6,9 +6,9 @@ import pytest
 from websockets.asyncio.client import ClientConnection, connect
 from websockets.exceptions import ConnectionClosed
 
-from fleet_tui.errors import FleetError
 from fleet_tui.simulator.ros_types import ServiceError
 from fleet_tui.simulator.server import RosbridgeServer
+from fleet_tui.text.errors import FleetError
 from tests.support.bridge_client import Json, call, frames_before_an_answer, read, read_until, send, subscribe
 
 POSE, POSE_TYPE = "/robot_0/pose", "geometry_msgs/PoseStamped"

@@ -14,14 +14,14 @@ import pytest
 from websockets.asyncio.client import connect
 
 from fleet_tui.config.schema import Config
-from fleet_tui.demo import demo_config
-from fleet_tui.errors import ConfigError
+from fleet_tui.console.demo import demo_config
 from fleet_tui.simulator.faults import parse_faults_of
 from fleet_tui.simulator.fleets import Fleet
 from fleet_tui.simulator.kinds import KINDS
 from fleet_tui.simulator.ros.ros1 import ROS1
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.simulator.site import MIXED, Crew, SitedBridge, faults_of, site_of
+from fleet_tui.text.errors import ConfigError
 from tests.support.command_line import run
 from tests.support.mqtt_peer import Peer
 from tests.support.nav2_client import Json, call, listen, until

@@ -3,14 +3,13 @@
 import pytest
 
 from fleet_tui.cli.status.report import attention
+from fleet_tui.commands.checks import problems
 from fleet_tui.model.events import BridgeAnswered, MessageRejected, PausedReported
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.problem import Permissions
 from fleet_tui.model.request import Request
-from fleet_tui.rules.alarms.classes import action_of
-from fleet_tui.rules.alarms.trouble import to_look_at
-from fleet_tui.rules.commands.checks import problems
-from fleet_tui.rules.why.why import reasons
+from fleet_tui.situation.alarms.classes import action_of
+from fleet_tui.situation.alarms.trouble import to_look_at
 from fleet_tui.situation.fact import FactKind
 from fleet_tui.situation.facts import (
     AGE_UNKNOWN,
@@ -23,8 +22,9 @@ from fleet_tui.situation.facts import (
     UNDATED_POSE,
 )
 from fleet_tui.situation.robots import absence
+from fleet_tui.situation.why.why import reasons
 from fleet_tui.text.language import Message
-from fleet_tui.view.tables.news import news
+from fleet_tui.ui.view.tables.news import news
 from tests.support.fleets import (
     LINK,
     R0,

@@ -16,11 +16,11 @@ from fleet_tui.model.navigation_events import (
     OriginReported,
     ProgressReported,
 )
-from fleet_tui.rules.why.why import reasons
 from fleet_tui.situation.facts import ADRIFT, LOST_SUBSCRIPTIONS, NOT_ALLOWED
 from fleet_tui.situation.robots import adrift
+from fleet_tui.situation.why.why import reasons
 from fleet_tui.text.units import age
-from fleet_tui.view.tables.news import news
+from fleet_tui.ui.view.tables.news import news
 from tests.support.fleets import LINK, R0, T0, WALL, fleet, link_up, of_kinds, reduced
 
 SPEED = 0.5

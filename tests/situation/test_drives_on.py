@@ -6,10 +6,10 @@ from msgspec.structs import replace
 from fleet_tui.cli.status.report import attention
 from fleet_tui.model.events import TimePassed
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.rules.why.why import reasons
 from fleet_tui.situation.facts import DRIVES_ON
 from fleet_tui.situation.robots import drives_on
-from fleet_tui.view.tables.news import failed_command
+from fleet_tui.situation.why.why import reasons
+from fleet_tui.ui.view.tables.news import failed_command
 from tests.support.fleets import R0, T0, WALL, reduced
 from tests.support.nav2_goals import FAILED, ON, goal, goals, localised, nav2, odometry
 

@@ -12,11 +12,11 @@ from fleet_tui.model.events import (
 )
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import HALF_DEAD, CommandPath
-from fleet_tui.rules.why.reason import Strength
-from fleet_tui.rules.why.robot import unreachable
-from fleet_tui.rules.why.why import reasons
+from fleet_tui.situation.why.reason import Strength
+from fleet_tui.situation.why.robot import unreachable
+from fleet_tui.situation.why.why import reasons
 from fleet_tui.text.language import Message
-from fleet_tui.view.lines.status import status_line
+from fleet_tui.ui.view.lines.status import status_line
 from tests.support.fleets import LINK, R0, T0, battery, fleet, link_up, pose, queue, reduced, tick
 
 DEAD = CommandPathChanged(LINK, CommandPath.DEAD, Message("no ROS master"), True)

@@ -8,7 +8,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.navigation_events import LocalisationReported
 from fleet_tui.model.set_up.commands import SetPose
-from fleet_tui.rules.alarms.navigation import not_sure_where
+from fleet_tui.situation.alarms.navigation import not_sure_where
 from fleet_tui.situation.localisation import no_pose, uncertain
 from fleet_tui.situation.navigation import NO_ODOMETRY
 from fleet_tui.state.command_events import COMMANDS_KEPT

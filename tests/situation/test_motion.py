@@ -9,9 +9,9 @@ import pytest
 from fleet_tui.cli.status.report import attention, report
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.history.facts import Activity
-from fleet_tui.rules.history.activity import activities
-from fleet_tui.rules.why.why import reasons
-from fleet_tui.view.tables.doing import told_text
+from fleet_tui.situation.activity import activities
+from fleet_tui.situation.why.why import reasons
+from fleet_tui.ui.view.tables.doing import told_text
 from tests.support.vda_fleet import AGV, VehicleSite
 from tests.support.vda_hall import hall_graph
 from tests.support.vda_messages import node, position, state

@@ -14,12 +14,12 @@ from fleet_tui.model.geometry import Pose
 from fleet_tui.model.navigation_events import OdometryReported
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.driving import Speeds
-from fleet_tui.rules.why.why import reasons
 from fleet_tui.situation.facts import DESPITE_PAUSE, STILL_MOVING, STOPPING
 from fleet_tui.situation.motion import LOCK, moves_despite_pause
-from fleet_tui.view.lines.status import console_notes
-from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.news import news
+from fleet_tui.situation.why.why import reasons
+from fleet_tui.ui.view.lines.status import console_notes
+from fleet_tui.ui.view.roles import StyleRole
+from fleet_tui.ui.view.tables.news import news
 from tests.support.fleets import R0, T0, WALL, reduced
 from tests.support.nav2_goals import localised, nav2
 

@@ -3,17 +3,17 @@
 import pytest
 from msgspec.structs import replace
 
-from fleet_tui.adapters.nav2.adapter import SERVERS_SILENCE
 from fleet_tui.cli.status.report import attention
 from fleet_tui.model.events import TimePassed
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.navigation import DOWN, Servers
 from fleet_tui.model.navigation_events import ServersReported
 from fleet_tui.model.robot import Logged
-from fleet_tui.rules.why.why import reasons
+from fleet_tui.robots.nav2.adapter import SERVERS_SILENCE
 from fleet_tui.situation.navigation import inactive, inactive_cause
+from fleet_tui.situation.why.why import reasons
 from fleet_tui.text.language import Message
-from fleet_tui.view.tables.news import in_cells, news, shortened_news
+from fleet_tui.ui.view.tables.news import in_cells, news, shortened_news
 from tests.support.fleets import R0, T0, WALL, reduced
 from tests.support.nav2_goals import localised, nav2, odometry, unheard
 

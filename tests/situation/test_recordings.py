@@ -6,19 +6,19 @@ from typing import Any
 
 import pytest
 
-from fleet_tui.adapters.adapter import Feed, Limit
-from fleet_tui.adapters.profile import Profile
-from fleet_tui.adapters.ros.reading import FrameReader
 from fleet_tui.config.entries import FloorEntry, RobotEntry
 from fleet_tui.config.fleet import adapters_of, feeds_of
 from fleet_tui.config.schema import Config, Link
 from fleet_tui.config.start import initial_state
-from fleet_tui.errors import WireError
 from fleet_tui.model.events import GridReceived
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.robots.adapter import Feed, Limit
+from fleet_tui.robots.profile import Profile
+from fleet_tui.robots.ros.reading import FrameReader
 from fleet_tui.situation.facts import BAD_DATA, BEHIND, LATE_LINK, SILENT
 from fleet_tui.situation.links import behind, late_link
 from fleet_tui.situation.robots import absence, bad_data, silent
+from fleet_tui.text.errors import WireError
 from tests.support.fleets import LINK, T0, WIRE, link_up, recording, reduced, tick
 
 ROBOT = "robot_1"

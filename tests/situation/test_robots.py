@@ -4,21 +4,21 @@ import math
 
 from fleet_tui.cli.status.report import attention
 from fleet_tui.cli.status.status import ATTENTION, verdict
+from fleet_tui.commands.checks import problems
 from fleet_tui.model.events import MessageRejected, ObstacleReported
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.kind import Kind
 from fleet_tui.model.navigation_events import BlockedReported
 from fleet_tui.model.problem import Permissions
 from fleet_tui.model.request import Request
-from fleet_tui.rules.alarms.classes import action_of
-from fleet_tui.rules.commands.checks import problems
-from fleet_tui.rules.why.why import reasons
+from fleet_tui.situation.alarms.classes import action_of
+from fleet_tui.situation.why.why import reasons
 from fleet_tui.text.language import Message
-from fleet_tui.view.map.floor_scene import floor_scene
-from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.selection import Selection
-from fleet_tui.view.tables.fleet import fleet_table
-from fleet_tui.view.tables.news import news
+from fleet_tui.ui.view.map.floor_scene import floor_scene
+from fleet_tui.ui.view.roles import StyleRole
+from fleet_tui.ui.view.selection import Selection
+from fleet_tui.ui.view.tables.fleet import fleet_table
+from fleet_tui.ui.view.tables.news import news
 from tests.support.fleets import (
     F0,
     R0,

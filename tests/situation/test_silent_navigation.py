@@ -8,11 +8,11 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.navigation import Progress
 from fleet_tui.model.navigation_events import OdometryReported, ProgressReported
-from fleet_tui.rules.why.why import reasons
 from fleet_tui.situation.fact import Fact
 from fleet_tui.situation.facts import NAVIGATION_SILENT
 from fleet_tui.situation.navigation import CEASED_AFTER, silent_navigation
-from fleet_tui.view.tables.news import news
+from fleet_tui.situation.why.why import reasons
+from fleet_tui.ui.view.tables.news import news
 from tests.support.fleets import R0, T0, WALL, fleet, link_lost, link_up, pose, queue, reduced, tick
 from tests.support.legs import goal as goal_of
 from tests.support.legs import goals, lived, sent, site

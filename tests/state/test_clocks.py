@@ -3,6 +3,7 @@
 import pytest
 
 from fleet_tui.cli.status.report import attention, report
+from fleet_tui.commands.checks import problems
 from fleet_tui.model.events import BridgeAnswered, Event
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.fleets.events import MemberReported
@@ -10,11 +11,10 @@ from fleet_tui.model.geometry import Pose
 from fleet_tui.model.navigation_events import LocalisationReported
 from fleet_tui.model.problem import Permissions
 from fleet_tui.model.request import Request
-from fleet_tui.rules.commands.checks import problems
-from fleet_tui.rules.why.why import reasons
 from fleet_tui.situation.links import late_link
 from fleet_tui.situation.robots import silent
-from fleet_tui.view.tables.news import news
+from fleet_tui.situation.why.why import reasons
+from fleet_tui.ui.view.tables.news import news
 from tests.support.fleets import F0, LINK, R0, T0, fleet, link_lost, link_up, place_order, pose, reduced, tick
 
 SITE = 5_000.0

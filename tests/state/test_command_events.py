@@ -7,7 +7,7 @@ from fleet_tui.model.commands import Command, PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.events import Event
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
-from fleet_tui.rules.commands.batches import summary
+from fleet_tui.situation.batches import summary
 from fleet_tui.state.command_events import COMMANDS_KEPT
 from fleet_tui.text.language import Message
 from tests.support.fleets import R0, T0, WALL, commanded, fleet, place_order, reduced

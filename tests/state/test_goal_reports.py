@@ -9,8 +9,8 @@ from fleet_tui.model.geometry import Pose
 from fleet_tui.model.navigation import Progress
 from fleet_tui.model.navigation_events import GoalAnswered, OdometryReported, PlanReported, ProgressReported
 from fleet_tui.model.order import OrderState, Stop, at_vertices
-from fleet_tui.rules.commands.goals import LISTED_FOR
-from fleet_tui.rules.commands.local_queue import foreign
+from fleet_tui.orders.goals import LISTED_FOR
+from fleet_tui.orders.local_queue import foreign
 from fleet_tui.text.language import Message
 from tests.support.fleets import LINK, R0, T0, commanded, reduced, tick
 from tests.support.nav2_goals import (

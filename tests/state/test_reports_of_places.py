@@ -1,12 +1,12 @@
 """The position of a robot, and its consequences."""
 
+from fleet_tui.commands.language.lookup import places
 from fleet_tui.model import events
 from fleet_tui.model.fleet import FleetState, Floor
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.graph import RouteGraph, Vertex
 from fleet_tui.model.link import LinkState, Phase
 from fleet_tui.model.robot import Robot, RobotMap
-from fleet_tui.rules.language.lookup import places
 from fleet_tui.state.reducer import apply
 from fleet_tui.text.language import Message
 from tests.support.fleets import R0, T0, fleet, pose, reduced

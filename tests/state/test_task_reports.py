@@ -8,7 +8,7 @@ from fleet_tui.model.fleets.events import MemberReported
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.navigation_events import Alive
 from fleet_tui.model.order import OrderState
-from fleet_tui.rules.commands.goals import LISTED_FOR
+from fleet_tui.orders.goals import LISTED_FOR
 from tests.support.fleets import F0, R0, T0, reduced, tick
 from tests.support.rmf import DONE, ON, QUEUED, reported, rmf_fleet
 

@@ -11,9 +11,9 @@ from pathlib import Path
 
 import pytest
 
-from fleet_tui.audit.file import KEPT, audit_file
-from fleet_tui.audit.log import encode
-from fleet_tui.audit.reader import AuditReader
+from fleet_tui.records.audit.file import KEPT, audit_file
+from fleet_tui.records.audit.log import encode
+from fleet_tui.records.audit.reader import AuditReader
 from fleet_tui.storage.line_file import part
 from tests.support.records import record
 
@@ -21,7 +21,7 @@ from tests.support.records import record
 WRITER = """
 import sys
 from pathlib import Path
-from fleet_tui.audit.file import audit_file
+from fleet_tui.records.audit.file import audit_file
 path, name, first, count, size, limit = sys.argv[1:]
 file = audit_file(Path(path), int(limit))
 for n in range(int(first), int(first) + int(count)):
@@ -184,7 +184,7 @@ def test_a_pipe_of_that_name_blocks_nobody(tmp_path: Path) -> None:
 FULL = """
 import resource, sys
 from pathlib import Path
-from fleet_tui.audit.file import audit_file
+from fleet_tui.records.audit.file import audit_file
 file = audit_file(Path(sys.argv[1]))
 resource.setrlimit(resource.RLIMIT_FSIZE, (250, resource.RLIM_INFINITY))
 line, failed = sys.stdin.buffer.read(), 0

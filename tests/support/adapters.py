@@ -1,10 +1,10 @@
 """Adapters as tests ask them: by the key of a topic."""
 
-from fleet_tui.adapters.adapter import Adapter, Feed, Site
-from fleet_tui.adapters.profile import Profile
-from fleet_tui.adapters.registry import KINDS, kind_of
-from fleet_tui.adapters.ros.names import Names
 from fleet_tui.model.events import Event
+from fleet_tui.robots.adapter import Adapter, Feed, Site
+from fleet_tui.robots.profile import Profile
+from fleet_tui.robots.registry import KINDS, kind_of
+from fleet_tui.robots.ros.names import Names
 
 
 def adapter_of(profile: Profile | None = None) -> Adapter:

@@ -4,12 +4,12 @@ from collections.abc import Iterable
 
 import msgspec
 
-from fleet_tui.adapters.adapter import Adapter, Feed
-from fleet_tui.adapters.ros.operations import Publish, decode
-from fleet_tui.errors import WireError
 from fleet_tui.model.events import Event, MessageRejected
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.robots.adapter import Adapter, Feed
+from fleet_tui.robots.ros.operations import Publish, decode
 from fleet_tui.state.reducer import apply
+from fleet_tui.text.errors import WireError
 from fleet_tui.text.language import message_of
 from tests.support.fleets import R0, T0, tick
 

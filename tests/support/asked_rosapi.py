@@ -4,11 +4,11 @@ import asyncio
 from collections.abc import Callable, Mapping
 from typing import Any, cast
 
-from fleet_tui.client.rosbridge.calls import rosapi_places
-from fleet_tui.discovery.wire import BridgeConnection
-from fleet_tui.errors import LinkError
+from fleet_tui.links.discovery.wire import BridgeConnection
+from fleet_tui.links.rosbridge.calls import rosapi_places
 from fleet_tui.simulator.calls import Call
 from fleet_tui.simulator.frames import Frame
+from fleet_tui.text.errors import LinkError
 from fleet_tui.text.language import Message
 
 Answer = Callable[[Mapping[str, Any]], object]

@@ -4,14 +4,14 @@ import math
 from functools import reduce
 from pathlib import Path
 
-from fleet_tui.bags.convert import Report, convert
 from fleet_tui.config.schema import Config
+from fleet_tui.features.recording.bags.convert import Report, convert
 from fleet_tui.model import events
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.recording.indexing import open_recording
-from fleet_tui.recording.play.frames import Frames
-from fleet_tui.recording.recording import Recording
-from fleet_tui.recording.records import EventRecord, Keyframe
+from fleet_tui.records.recording.indexing import open_recording
+from fleet_tui.records.recording.play.frames import Frames
+from fleet_tui.records.recording.recording import Recording
+from fleet_tui.records.recording.records import EventRecord, Keyframe
 from tests.support.bags import WALL, Said
 from tests.support.fleets import F0, R0
 

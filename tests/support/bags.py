@@ -12,8 +12,8 @@ from rosbags.rosbag2 import CompressionFormat, CompressionMode, StoragePlugin
 from rosbags.rosbag2 import Writer as Writer2
 from rosbags.typesys import Stores, get_types_from_msg, get_typestore
 
-from fleet_tui.adapters.profile import Profile
 from fleet_tui.config.schema import Config
+from fleet_tui.robots.profile import Profile
 from tests.support.watched_store import config_of
 
 WALL = 1_700_000_000

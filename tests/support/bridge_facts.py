@@ -6,7 +6,7 @@ from typing import Any
 
 from fleet_tui.config.fleet import adapters_of, feeds_of
 from fleet_tui.config.schema import Config
-from fleet_tui.discovery.facts import BridgeFacts, RosapiFacts, TopicFacts
+from fleet_tui.links.discovery.facts import BridgeFacts, RosapiFacts, TopicFacts
 from tests.support.fleets import LINK
 
 NODE = "/driver"

@@ -5,8 +5,8 @@ from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager
 
 from fleet_tui.config.schema import Link
-from fleet_tui.transports.loop import network_loop
-from fleet_tui.transports.mqtt.connection import BrokerConnection
+from fleet_tui.links.transports.loop import network_loop
+from fleet_tui.links.transports.mqtt.connection import BrokerConnection
 from tests.support.polling import until
 
 

@@ -2,13 +2,13 @@
 
 from itertools import pairwise
 
+from fleet_tui.commands.checks import problems
 from fleet_tui.model.commands import Command
 from fleet_tui.model.events import CargoReported, Event, GraphReceived
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
 from fleet_tui.model.problem import Permissions
 from fleet_tui.model.request import Request
-from fleet_tui.rules.commands.checks import problems
 from tests.support.fleets import F0, R0, T0, fleet, graph, labels, link_up, pose, queue, reduced, tick
 
 F1 = "floor_1"

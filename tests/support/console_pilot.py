@@ -16,18 +16,18 @@ from textual.message_pump import MessagePump
 from textual.pilot import Pilot
 from textual.screen import Screen
 
-from fleet_tui.app import FleetApp
-from fleet_tui.backend import Backend, LiveBackend, connect_live
 from fleet_tui.cli.session import missing
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
-from fleet_tui.console import recorded
-from fleet_tui.controllers.files import ConsoleFiles
+from fleet_tui.console.app import FleetApp
+from fleet_tui.console.open import recorded
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath
-from fleet_tui.recording.recordings import Recordings
-from fleet_tui.themes import FleetTheme, load_themes
-from fleet_tui.view.map.drawing import Drawing
+from fleet_tui.records.recording.recordings import Recordings
+from fleet_tui.ui.backend import Backend, LiveBackend, connect_live
+from fleet_tui.ui.controllers.files import ConsoleFiles
+from fleet_tui.ui.themes import FleetTheme, load_themes
+from fleet_tui.ui.view.map.drawing import Drawing
 from tests.support.polling import HANGS
 from tests.support.watched_store import WatchedStore
 

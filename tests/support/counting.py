@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from fleet_tui.client.fleet_link import FleetLink
+from fleet_tui.links.fleet_link import FleetLink
 from fleet_tui.model.counters import LinkCounter
 from tests.support.watched_store import WatchedStore
 

@@ -3,14 +3,7 @@
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple
 
-from fleet_tui.controllers.console import Console, InBackground
-from fleet_tui.controllers.dispatch import Dispatch
-from fleet_tui.controllers.files import ConsoleFiles
-from fleet_tui.controllers.navigation import Navigation
-from fleet_tui.controllers.notices import Notices
-from fleet_tui.controllers.settings import ConsoleSettings
-from fleet_tui.controllers.tables.marked import MarkedCommands
-from fleet_tui.controllers.typed import Entry
+from fleet_tui.model.attention import SeenArea
 from fleet_tui.model.commands import Command
 from fleet_tui.model.counters import LinkCounter
 from fleet_tui.model.events import CargoReported, CommandPathChanged, Event
@@ -19,11 +12,18 @@ from fleet_tui.model.link import CommandPath
 from fleet_tui.model.problem import Permissions
 from fleet_tui.model.request import Request
 from fleet_tui.model.set_up.driving import DrivePhase, DriveState, Steering
-from fleet_tui.rules.rates.attention import SeenArea
 from fleet_tui.state.store import Store
 from fleet_tui.state.streams import Streams
 from fleet_tui.text.language import EMPTY, Message
-from fleet_tui.view.map.drawing import Drawing
+from fleet_tui.ui.controllers.console import Console, InBackground
+from fleet_tui.ui.controllers.dispatch import Dispatch
+from fleet_tui.ui.controllers.files import ConsoleFiles
+from fleet_tui.ui.controllers.navigation import Navigation
+from fleet_tui.ui.controllers.notices import Notices
+from fleet_tui.ui.controllers.settings import ConsoleSettings
+from fleet_tui.ui.controllers.tables.marked import MarkedCommands
+from fleet_tui.ui.controllers.typed import Entry
+from fleet_tui.ui.view.map.drawing import Drawing
 from tests.support.fleets import LINK, R0, T0, fleet, graph, labels, link_up, pose, queue, reduced, tick
 from tests.support.kinds import KEYS
 

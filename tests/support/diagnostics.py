@@ -2,8 +2,8 @@
 
 from fleet_tui.model.counters import LinkCounter, TopicCounter
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.view.tables.diagnostics.links import Links
-from fleet_tui.view.tables.table import Table
+from fleet_tui.ui.view.tables.diagnostics.links import Links
+from fleet_tui.ui.view.tables.table import Table
 from tests.support.fleets import LINK, R0, T0, fleet, link_up, reduced, tick
 
 POSE, GRAPH, MAP, BATTERY = "/robot_0/pose", "/robot_0/f/graph", "/robot_0/f/map", "/robot_0/battery"

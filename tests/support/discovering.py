@@ -3,7 +3,7 @@
 import asyncio
 
 from fleet_tui.config.schema import Link
-from fleet_tui.discovery.site import DiscoveredSite, start_discovery
+from fleet_tui.links.discovery.site import DiscoveredSite, start_discovery
 
 
 async def discovered(url: str, watch: list[tuple[int, int, str]] | None = None) -> DiscoveredSite:

@@ -4,23 +4,23 @@ from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from pathlib import Path
 
-from fleet_tui.controllers.editing.checks import DraftChecks
-from fleet_tui.controllers.editing.drawing import GraphDrawing
-from fleet_tui.controllers.editing.edge_values import EdgeValues
-from fleet_tui.controllers.editing.editor import GraphEditor
-from fleet_tui.controllers.editing.files import DraftFiles
-from fleet_tui.controllers.editing.old_files import OldFiles
-from fleet_tui.controllers.editing.route_files import RouteFiles
-from fleet_tui.controllers.editing.sending import DraftSending
-from fleet_tui.controllers.editing.values import VertexValues
-from fleet_tui.controllers.files import ConsoleFiles
+from fleet_tui.features.graphs.checks import DraftChecks
+from fleet_tui.features.graphs.drawing import GraphDrawing
+from fleet_tui.features.graphs.edge_values import EdgeValues
+from fleet_tui.features.graphs.edit_mode import EditMode
+from fleet_tui.features.graphs.editor import GraphEditor
+from fleet_tui.features.graphs.files import DraftFiles
+from fleet_tui.features.graphs.old_files import OldFiles
+from fleet_tui.features.graphs.route_files import RouteFiles
+from fleet_tui.features.graphs.sending import DraftSending
+from fleet_tui.features.graphs.values import VertexValues
 from fleet_tui.maps.draft_file import DraftFile
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.graphs.document import DocumentFloor
 from fleet_tui.model.problem import Permissions
-from fleet_tui.view.map.floor_scene import floor_scene
-from fleet_tui.view.map.modes.edit import EditMode
-from fleet_tui.view.map.viewport import Point
+from fleet_tui.ui.controllers.files import ConsoleFiles
+from fleet_tui.ui.view.map.floor_scene import floor_scene
+from fleet_tui.ui.view.map.viewport import Point
 from tests.support.desk import Desk, ready
 from tests.support.map_pane import Pane
 

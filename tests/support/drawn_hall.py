@@ -8,11 +8,11 @@ from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import Role
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.occupancy import FREE, OCCUPIED, UNKNOWN, build_grid
-from fleet_tui.view.map.camera import Camera
-from fleet_tui.view.map.cells import Cells
-from fleet_tui.view.map.layers import MapOptions
-from fleet_tui.view.map.picture import backdrop, picture
-from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
+from fleet_tui.ui.view.map.camera import Camera
+from fleet_tui.ui.view.map.cells import Cells
+from fleet_tui.ui.view.map.layers import MapOptions
+from fleet_tui.ui.view.map.picture import backdrop, picture
+from fleet_tui.ui.view.map.scene import Scene, SceneRobot, SceneVertex
 
 WIDTH, HEIGHT = 64, 20
 

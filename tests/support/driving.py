@@ -7,9 +7,9 @@ from typing import Any
 
 from msgspec.structs import replace
 
-from fleet_tui.adapters.profile import DriveConfig
 from fleet_tui.model.link import CommandPath
 from fleet_tui.model.set_up.driving import STILL, DrivePhase, HandDrive, Speeds, Steering
+from fleet_tui.robots.profile import DriveConfig
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.links import linked, path
 from tests.support.watched_store import WatchedStore, config_of

@@ -6,9 +6,9 @@ from contextlib import asynccontextmanager
 
 from textual.pilot import Pilot
 
-from fleet_tui.discovery.site import DiscoveredSite
-from fleet_tui.entry import EntryApp
-from fleet_tui.themes import load_themes
+from fleet_tui.console.entry import EntryApp
+from fleet_tui.links.discovery.site import DiscoveredSite
+from fleet_tui.ui.themes import load_themes
 from tests.support.polling import HANGS
 
 PLACES = (("$FLEET_TUI_CONFIG", "not set"), ("./config.toml", "not there"), ("~/c/config.toml", "not there"))

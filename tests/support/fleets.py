@@ -10,8 +10,6 @@ from typing import Any
 
 import msgspec
 
-from fleet_tui.adapters.oh_ressources.reading import STATES
-from fleet_tui.adapters.profile import Profile
 from fleet_tui.config.start import initial_state
 from fleet_tui.model.commands import Command, PlaceOrder, Stage
 from fleet_tui.model.events import (
@@ -32,9 +30,11 @@ from fleet_tui.model.graph import Edge, RouteGraph, Vertex
 from fleet_tui.model.kind import Kind
 from fleet_tui.model.link import Phase
 from fleet_tui.model.order import Order, OrderQueue, at_vertices
+from fleet_tui.robots.oh_ressources.reading import STATES
+from fleet_tui.robots.profile import Profile
 from fleet_tui.state.reducer import apply
 from fleet_tui.text.language import Message
-from fleet_tui.view.tables.table import Run
+from fleet_tui.ui.view.tables.table import Run
 from tests.support.watched_store import config_of
 
 T0 = 1000.0

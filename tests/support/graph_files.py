@@ -5,9 +5,9 @@ from typing import Any
 
 from hypothesis import strategies as st
 
-from fleet_tui.graph_files.graph_file import GraphFile, ReadChoices, WriteChoices
-from fleet_tui.graph_files.reading import read_graph
-from fleet_tui.graph_files.writing import write_graph
+from fleet_tui.maps.formats.graph_file import GraphFile, ReadChoices, WriteChoices
+from fleet_tui.maps.formats.reading import read_graph
+from fleet_tui.maps.formats.writing import write_graph
 from fleet_tui.model.graphs.document import (
     DocumentEdge,
     DocumentFloor,

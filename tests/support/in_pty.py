@@ -16,7 +16,7 @@ from pathlib import Path
 
 import pyte
 
-from fleet_tui.terminal.typing import GAP
+from fleet_tui.ui.terminal.typing import GAP
 from tests.support.polling import HANGS
 
 WIDTH, HEIGHT = 200, 60

@@ -7,18 +7,18 @@ from collections.abc import AsyncIterator, Iterable
 from contextlib import asynccontextmanager
 from pathlib import Path
 
-from fleet_tui.audit.entries import Origin
-from fleet_tui.audit.file import FILE_NAME, audit_file
-from fleet_tui.audit.log import Audit
-from fleet_tui.audit.reader import AuditReader
-from fleet_tui.client.fleet_link import FleetLink
 from fleet_tui.config.schema import Config
+from fleet_tui.links.fleet_link import FleetLink
 from fleet_tui.model import commands
 from fleet_tui.model.alarm import AlarmStage
 from fleet_tui.model.audit_record import AuditRecord
 from fleet_tui.model.commands import Stage
 from fleet_tui.model.events import Event
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.records.audit.entries import Origin
+from fleet_tui.records.audit.file import FILE_NAME, audit_file
+from fleet_tui.records.audit.log import Audit
+from fleet_tui.records.audit.reader import AuditReader
 from tests.support.links import linked as plainly_linked
 from tests.support.watched_store import WatchedStore
 

@@ -4,7 +4,7 @@ from collections.abc import Awaitable, Callable, Collection, Mapping
 
 from fleet_tui.keys import KEYS, Pane
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.screens.overlay import Overlay
+from fleet_tui.ui.screens.overlay import Overlay
 from tests.support.console_pilot import Console
 
 Part = Callable[[Console], object]

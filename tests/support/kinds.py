@@ -2,7 +2,7 @@
 
 import math
 
-from fleet_tui.keymap import keymap
+from fleet_tui.keys.keymap import keymap
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.kind import CANCEL, CLEAR, ORDER, ORDER_TO, PAUSE, RESUME, Kind
 from tests.support.fleets import R0, T0, fleet, graph, labels, link_up, of_kinds, pose, reduced, tick

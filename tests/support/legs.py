@@ -2,9 +2,6 @@
 
 from msgspec.structs import replace
 
-from fleet_tui.adapters.adapter import Site
-from fleet_tui.adapters.move_base.adapter import MoveBase
-from fleet_tui.adapters.profile import Profile
 from fleet_tui.model.commands import CommandRecord, PlaceOrder, Stage
 from fleet_tui.model.events import CommandAdvanced, CommandIssued
 from fleet_tui.model.fleet import FleetState
@@ -12,6 +9,9 @@ from fleet_tui.model.geometry import Pose
 from fleet_tui.model.navigation import Goal
 from fleet_tui.model.navigation_events import Alive, GoalsReported, LocalisationReported, OdometryReported
 from fleet_tui.model.order import OrderState, at_vertices
+from fleet_tui.robots.adapter import Site
+from fleet_tui.robots.move_base.adapter import MoveBase
+from fleet_tui.robots.profile import Profile
 from fleet_tui.text.language import Message
 from tests.support.fleets import R0, T0, fleet, graph, link_up, reduced, tick
 

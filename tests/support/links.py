@@ -5,11 +5,11 @@ from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager
 
 from fleet_tui.cli.session import opened
-from fleet_tui.client.fleet_link import FleetLink
-from fleet_tui.client.queue_file import QueueFile
-from fleet_tui.client.tap import Tap
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
+from fleet_tui.links.fleet_link import FleetLink
+from fleet_tui.links.queue_file import QueueFile
+from fleet_tui.links.tap import Tap
 from fleet_tui.model.commands import Command, CommandRecord
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath, Phase

@@ -5,13 +5,13 @@ from collections.abc import Callable, Iterable, Sequence
 import msgspec
 import pytest
 
-from fleet_tui.adapters.adapter import Adapter, Feed, Site
-from fleet_tui.adapters.oh_ressources.adapter import OhRessources
-from fleet_tui.adapters.profile import Profile
-from fleet_tui.adapters.registry import KINDS, Registered
 from fleet_tui.config.entries import RobotEntry
 from fleet_tui.config.schema import Config
 from fleet_tui.model.kind import CANCEL, ORDER, ORDER_TO
+from fleet_tui.robots.adapter import Adapter, Feed, Site
+from fleet_tui.robots.oh_ressources.adapter import OhRessources
+from fleet_tui.robots.profile import Profile
+from fleet_tui.robots.registry import KINDS, Registered
 from tests.support.watched_store import config_of
 
 PLAIN = "plain"

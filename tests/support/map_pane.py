@@ -6,12 +6,12 @@ import numpy as np
 from textual.app import App, ComposeResult
 from textual.pilot import Pilot
 
-from fleet_tui.controllers.map import MapControls
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.occupancy import FREE, OCCUPIED, build_grid
-from fleet_tui.themes import load_themes
-from fleet_tui.view.map.scene import Scene, SceneRobot, SceneVertex
-from fleet_tui.widgets.map_view import MapView
+from fleet_tui.ui.controllers.map import MapControls
+from fleet_tui.ui.themes import load_themes
+from fleet_tui.ui.view.map.scene import Scene, SceneRobot, SceneVertex
+from fleet_tui.ui.widgets.map_view import MapView
 
 FRAME = MapFrame(0.05, 400, 200)
 

@@ -5,7 +5,7 @@ from contextlib import AsyncExitStack, asynccontextmanager
 from pathlib import Path
 
 from fleet_tui.config.schema import Config
-from fleet_tui.demo import demo_config
+from fleet_tui.console.demo import demo_config
 from fleet_tui.simulator.fleets import Fleet
 from fleet_tui.simulator.kinds import KINDS
 from fleet_tui.simulator.move_base.fleet import MoveBaseFleet

@@ -3,15 +3,15 @@
 import json
 from typing import Any
 
-from fleet_tui.adapters.adapter import Feed, Publication, Site
-from fleet_tui.adapters.move_base.adapter import MoveBase
-from fleet_tui.adapters.profile import Profile
-from fleet_tui.adapters.ros.operations import Publish, decode
 from fleet_tui.model.commands import Command
 from fleet_tui.model.events import Event
 from fleet_tui.model.navigation import Goal
 from fleet_tui.model.navigation_events import GoalsReported
 from fleet_tui.model.robot import Robot, RobotMap
+from fleet_tui.robots.adapter import Feed, Publication, Site
+from fleet_tui.robots.move_base.adapter import MoveBase
+from fleet_tui.robots.profile import Profile
+from fleet_tui.robots.ros.operations import Publish, decode
 from tests.support.fleets import graph
 
 UNIQUE = "0123456789abcdef0123456789abcdef"

@@ -5,11 +5,11 @@ from contextlib import asynccontextmanager
 from pathlib import Path
 from typing import Any
 
-from fleet_tui.adapters.profile import Profile
 from fleet_tui.config.entries import FloorEntry, RobotEntry
 from fleet_tui.config.schema import Config, Link
 from fleet_tui.model.commands import PlaceOrder
 from fleet_tui.model.order import at_vertices
+from fleet_tui.robots.profile import Profile
 from fleet_tui.simulator.move_base.fleet import MoveBaseFleet
 from fleet_tui.simulator.move_base.navigation import SimMoveBase
 from fleet_tui.simulator.navigating.graph_file import write_graphs

@@ -3,15 +3,15 @@
 import json
 from typing import Any
 
-from fleet_tui.adapters.adapter import Feed, Site
-from fleet_tui.adapters.nav2.adapter import Nav2
-from fleet_tui.adapters.profile import Profile
-from fleet_tui.adapters.ros.operations import Publish, decode
 from fleet_tui.model.events import Event
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.navigation import Goal as KnownGoal
 from fleet_tui.model.order import OrderState
 from fleet_tui.model.robot import Reading, Robot, RobotMap
+from fleet_tui.robots.adapter import Feed, Site
+from fleet_tui.robots.nav2.adapter import Nav2
+from fleet_tui.robots.profile import Profile
+from fleet_tui.robots.ros.operations import Publish, decode
 from tests.support.fleets import graph
 
 ZERO = "AAAAAAAAAAAAAAAAAAAAAA=="

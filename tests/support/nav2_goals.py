@@ -2,15 +2,15 @@
 
 from msgspec.structs import replace
 
-from fleet_tui.adapters.adapter import Site
-from fleet_tui.adapters.nav2.adapter import Nav2
-from fleet_tui.adapters.profile import Profile
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.navigation import Goal
 from fleet_tui.model.navigation_events import GoalsReported, LocalisationReported, OdometryReported
 from fleet_tui.model.order import OrderState
 from fleet_tui.model.robot import Robot
+from fleet_tui.robots.adapter import Site
+from fleet_tui.robots.nav2.adapter import Nav2
+from fleet_tui.robots.profile import Profile
 from fleet_tui.text.language import Message
 from tests.support.fleets import R0, T0, fleet, graph, link_up, reduced, tick
 

@@ -4,18 +4,18 @@ import json
 from collections.abc import Iterator
 from typing import Any
 
-from fleet_tui.adapters.adapter import Feed, Limit
-from fleet_tui.adapters.discovery import Listed
-from fleet_tui.adapters.nav2.discovery import discover
-from fleet_tui.adapters.profile import Profile
-from fleet_tui.adapters.ros.reading import FrameReader
 from fleet_tui.config.entries import FloorEntry, RobotEntry
 from fleet_tui.config.fleet import adapters_of, feeds_of
 from fleet_tui.config.schema import Config, Link
 from fleet_tui.config.start import initial_state
-from fleet_tui.errors import WireError
 from fleet_tui.model.events import GridReceived
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.robots.adapter import Feed, Limit
+from fleet_tui.robots.discovery import Listed
+from fleet_tui.robots.nav2.discovery import discover
+from fleet_tui.robots.profile import Profile
+from fleet_tui.robots.ros.reading import FrameReader
+from fleet_tui.text.errors import WireError
 from tests.support.fleets import LINK, R0, T0, link_up, recording, reduced, tick
 
 DRIVES = ("/navigate_to_pose", "/follow_waypoints")

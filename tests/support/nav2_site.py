@@ -4,9 +4,9 @@ from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager
 from pathlib import Path
 
-from fleet_tui.client.queue_file import QueueFile
 from fleet_tui.config.schema import Config
-from fleet_tui.demo import demo_config
+from fleet_tui.console.demo import demo_config
+from fleet_tui.links.queue_file import QueueFile
 from fleet_tui.model.commands import CommandRecord, PlaceOrder, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath

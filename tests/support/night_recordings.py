@@ -3,9 +3,9 @@
 from collections.abc import Iterator
 from pathlib import Path
 
-from fleet_tui.audit.entries import Origin
 from fleet_tui.model.events import TimePassed
-from fleet_tui.recording.records import EventRecord, Mark, Record
+from fleet_tui.records.audit.entries import Origin
+from fleet_tui.records.recording.records import EventRecord, Mark, Record
 from tests.support.fleets import T0, WALL, fleet, reduced
 from tests.support.recordings import header, keyframe, written
 

@@ -2,8 +2,8 @@
 
 from typing import Any
 
+from fleet_tui.commands.checks import SAME_WITHIN
 from fleet_tui.model.commands import PlaceOrder
-from fleet_tui.rules.commands.checks import SAME_WITHIN
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import Console
 from tests.support.fleets import place_order

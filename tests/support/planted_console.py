@@ -8,11 +8,11 @@ from contextlib import asynccontextmanager, suppress
 
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
-from fleet_tui.controllers.files import ConsoleFiles
 from fleet_tui.model.commands import Command
 from fleet_tui.model.events import CommandPathChanged, Event
 from fleet_tui.model.link import CommandPath
 from fleet_tui.text.language import Message
+from fleet_tui.ui.controllers.files import ConsoleFiles
 from tests.support.console_pilot import Console, console_app, running
 from tests.support.desk import CollectingBackend
 from tests.support.fleets import LINK, link_lost, link_up

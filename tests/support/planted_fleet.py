@@ -7,8 +7,6 @@ from itertools import count
 
 import msgspec
 
-from fleet_tui.adapters.adapter import ServiceCall
-from fleet_tui.adapters.profile import Profile
 from fleet_tui.config.fleet import adapters_of, feeds_of
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
@@ -16,6 +14,8 @@ from fleet_tui.model.commands import Command, Stage
 from fleet_tui.model.events import CommandAdvanced, CommandIssued, Event, MessageArrived, TimePassed
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
+from fleet_tui.robots.adapter import ServiceCall
+from fleet_tui.robots.profile import Profile
 from fleet_tui.simulator.faults import parse_faults
 from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.messages import topics_of

@@ -7,8 +7,8 @@ from contextlib import asynccontextmanager
 
 from msgspec.structs import replace
 
-from fleet_tui.client.fleet_link import FleetLink
 from fleet_tui.config.schema import Config
+from fleet_tui.links.fleet_link import FleetLink
 from fleet_tui.model.commands import PauseRobot
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import Phase

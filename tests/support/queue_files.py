@@ -4,7 +4,7 @@ from pathlib import Path
 
 import msgspec
 
-from fleet_tui.client.queue_file import FILE, WaitingOrder
+from fleet_tui.links.queue_file import FILE, WaitingOrder
 
 
 def kept(folder: Path) -> list[WaitingOrder]:

@@ -11,7 +11,15 @@ import msgspec
 from fleet_tui.config.schema import Config
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.grid import OccupancyGrid
-from fleet_tui.recording.records import VERSION, Keyframe, Packer, Record, RecordingHeader, encode, public
+from fleet_tui.records.recording.records import (
+    VERSION,
+    Keyframe,
+    Packer,
+    Record,
+    RecordingHeader,
+    encode,
+    public,
+)
 from tests.support.fleets import T0, WALL, fleet
 from tests.support.watched_store import config_of
 

@@ -2,13 +2,13 @@
 
 from pathlib import Path
 
-from fleet_tui.audit.entries import Origin
-from fleet_tui.audit.file import FILE_NAME, audit_file
-from fleet_tui.audit.log import Audit
-from fleet_tui.audit.reader import AuditReader
 from fleet_tui.model.audit_record import AuditRecord
 from fleet_tui.model.commands import Command, Stage
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.records.audit.entries import Origin
+from fleet_tui.records.audit.file import FILE_NAME, audit_file
+from fleet_tui.records.audit.log import Audit
+from fleet_tui.records.audit.reader import AuditReader
 from fleet_tui.state.store import Store
 from tests.support.fleets import (
     R0,

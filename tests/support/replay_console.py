@@ -5,10 +5,10 @@ from contextlib import asynccontextmanager
 from pathlib import Path
 
 from fleet_tui.config.schema import Config
-from fleet_tui.console import replaying
-from fleet_tui.recording.play.start import playing
-from fleet_tui.themes import load_themes
-from fleet_tui.view.map.drawing import Drawing
+from fleet_tui.console.open import replaying
+from fleet_tui.records.recording.play.start import playing
+from fleet_tui.ui.themes import load_themes
+from fleet_tui.ui.view.map.drawing import Drawing
 from tests.support.console_pilot import Console
 from tests.support.watched_store import WatchedStore
 

@@ -3,15 +3,15 @@
 import json
 from typing import Any
 
-from fleet_tui.adapters.adapter import Feed, Site
-from fleet_tui.adapters.profile import Profile
-from fleet_tui.adapters.rmf.adapter import Rmf
-from fleet_tui.adapters.ros.operations import Publish, decode
 from fleet_tui.model.events import Event
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.fleets.events import TaskReported
 from fleet_tui.model.navigation import Goal
 from fleet_tui.model.order import OrderState
+from fleet_tui.robots.adapter import Feed, Site
+from fleet_tui.robots.profile import Profile
+from fleet_tui.robots.rmf.adapter import Rmf
+from fleet_tui.robots.ros.operations import Publish, decode
 from tests.support.fleets import T0, fleet, link_up, of_kinds, reduced, tick
 
 TINY, CARRIER = "tiny/t1", "carrier/c1"

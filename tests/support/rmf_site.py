@@ -4,7 +4,7 @@ from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 
 from fleet_tui.config.schema import Config
-from fleet_tui.demo import demo_config
+from fleet_tui.console.demo import demo_config
 from fleet_tui.model.commands import CommandRecord, PlaceOrder, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath

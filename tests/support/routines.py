@@ -4,9 +4,8 @@ from collections.abc import Callable, Sequence
 
 from hypothesis import strategies as st
 
-from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.routines.blocks import Condition, DayTime, LanePlan
-from fleet_tui.model.routines.lane import (
+from fleet_tui.features.routines.blocks import Condition, DayTime, LanePlan
+from fleet_tui.features.routines.lane import (
     BEGUN,
     ENDED,
     LEFT,
@@ -26,8 +25,9 @@ from fleet_tui.model.routines.lane import (
     ProgramEnded,
     Ticked,
 )
-from fleet_tui.rules.routines.parsing import parse_routine
-from fleet_tui.rules.routines.stepping import step
+from fleet_tui.features.routines.rules.parsing import parse_routine
+from fleet_tui.features.routines.rules.stepping import step
+from fleet_tui.model.fleet import FleetState
 from fleet_tui.text.language import EMPTY, Message
 from tests.support.fleets import R0, T0, battery, fleet, graph, labels, link_up, pose, queue, reduced, tick
 

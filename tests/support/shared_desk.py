@@ -6,10 +6,10 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from fleet_tui.desk.desk import SharedDesk
 from fleet_tui.model.events import Event
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.facts import Note
+from fleet_tui.records.desk.desk import SharedDesk
 from fleet_tui.state.store import Store
 from tests.support.fleets import T0, fleet, link_up, tick
 from tests.support.polling import HANGS, eventually

@@ -5,11 +5,11 @@ from contextlib import closing
 from pathlib import Path
 
 from fleet_tui.config.load import load
-from fleet_tui.history.database import history_path, open_to_write, transaction
-from fleet_tui.history.writing import write
 from fleet_tui.model.audit_record import AuditRecord
 from fleet_tui.model.history.facts import Activity, Charge, LinkChange, Note, OrderChange, Span
-from fleet_tui.rules.history.observing import Fact
+from fleet_tui.records.history.database import history_path, open_to_write, transaction
+from fleet_tui.records.history.observing import Fact
+from fleet_tui.records.history.writing import write
 from tests.support.records import ANA
 
 HOSTILE = "<script>document.title='run'</script>\x1b[2J&\"'"

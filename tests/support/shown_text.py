@@ -3,8 +3,8 @@
 from fleet_tui.cli.status.status import table
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.text.language import EMPTY
-from fleet_tui.view.lines.commands import message_line
-from fleet_tui.view.lines.status import console_notes
+from fleet_tui.ui.view.lines.commands import message_line
+from fleet_tui.ui.view.lines.status import console_notes
 
 
 def shown(state: FleetState) -> str:

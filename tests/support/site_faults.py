@@ -14,9 +14,9 @@ import msgspec
 from websockets.asyncio.server import ServerConnection, serve
 from websockets.http11 import Request, Response
 
-from fleet_tui.adapters.profile import Profile
 from fleet_tui.config.entries import FloorEntry, RobotEntry
 from fleet_tui.config.schema import Config, Link
+from fleet_tui.robots.profile import Profile
 from fleet_tui.simulator.frames import Payload
 from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.nav2.faults import FAULTS

@@ -5,8 +5,8 @@ import math
 from fleet_tui.model.commands import Command
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
-from fleet_tui.rules.why.reason import Reason
-from fleet_tui.rules.why.why import reasons
+from fleet_tui.situation.why.reason import Reason
+from fleet_tui.situation.why.why import reasons
 from tests.support.fleets import R0, place_order
 from tests.support.planted_fleet import Planted
 

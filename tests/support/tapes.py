@@ -4,15 +4,15 @@ from pathlib import Path
 
 from msgspec.structs import replace
 
-from fleet_tui.audit.entries import Origin, alarm_records, command_records
 from fleet_tui.config.schema import Alarms, Config
 from fleet_tui.config.start import initial_state
 from fleet_tui.model.commands import PauseRobot, Stage
 from fleet_tui.model.events import CommandPathChanged, Event, MessageArrived, TimePassed
 from fleet_tui.model.link import CommandPath
-from fleet_tui.recording.indexing import open_recording
-from fleet_tui.recording.recording import Recording
-from fleet_tui.recording.records import EventRecord, Keyframe, Lost, Mark, Record
+from fleet_tui.records.audit.entries import Origin, alarm_records, command_records
+from fleet_tui.records.recording.indexing import open_recording
+from fleet_tui.records.recording.recording import Recording
+from fleet_tui.records.recording.records import EventRecord, Keyframe, Lost, Mark, Record
 from fleet_tui.state.reducer import apply
 from fleet_tui.text.language import Message
 from tests.support.fleets import LINK, R0, T0, WALL, battery, commanded, graph, labels, link_up, pose, queue

@@ -19,7 +19,7 @@ from pathlib import Path
 
 import pyte
 
-from fleet_tui.terminal.typing import GAP
+from fleet_tui.ui.terminal.typing import GAP
 from tests.support.invariants import log_is_whole
 from tests.support.polling import HANGS
 

@@ -6,17 +6,17 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from fleet_tui.cli.session import opened
-from fleet_tui.client.fleet_link import FleetLink
-from fleet_tui.client.queue_file import QueueFile
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
+from fleet_tui.links.fleet_link import FleetLink
+from fleet_tui.links.queue_file import QueueFile
 from fleet_tui.model.events import Event, TimePassed
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.recording.indexing import open_recording
-from fleet_tui.recording.play.cursor import RecordingCursor
-from fleet_tui.recording.recorder import Recorder
-from fleet_tui.recording.recording import Recording
-from fleet_tui.recording.records import EventRecord
+from fleet_tui.records.recording.indexing import open_recording
+from fleet_tui.records.recording.play.cursor import RecordingCursor
+from fleet_tui.records.recording.recorder import Recorder
+from fleet_tui.records.recording.recording import Recording
+from fleet_tui.records.recording.records import EventRecord
 from tests.support.recordings import plain
 from tests.support.tapes import ORIGIN
 from tests.support.watched_store import WatchedStore

@@ -6,8 +6,8 @@ from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from typing import Any
 
-from fleet_tui.client.fleet_link import FleetLink
 from fleet_tui.config.load import from_text
+from fleet_tui.links.fleet_link import FleetLink
 from fleet_tui.model.link import CommandPath
 from tests.support.broker import RealBroker
 from tests.support.links import linked

@@ -3,9 +3,6 @@
 from functools import reduce
 from typing import cast
 
-from fleet_tui.adapters.vda5050.adapter import VehicleAdapter
-from fleet_tui.adapters.vda5050.frames import BrokerMessage
-from fleet_tui.adapters.vda5050.reader import MessageReader
 from fleet_tui.config.fleet import adapters_of, feeds_of, limit_of
 from fleet_tui.config.load import from_text
 from fleet_tui.config.schema import Config
@@ -14,6 +11,9 @@ from fleet_tui.model import events
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import Phase
 from fleet_tui.model.robot import Robot
+from fleet_tui.robots.vda5050.adapter import VehicleAdapter
+from fleet_tui.robots.vda5050.frames import BrokerMessage
+from fleet_tui.robots.vda5050.reader import MessageReader
 from fleet_tui.state.reducer import apply
 from tests.support.vda_messages import BASE
 

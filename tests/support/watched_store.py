@@ -4,11 +4,11 @@ import asyncio
 from collections.abc import Callable
 from contextlib import suppress
 
-from fleet_tui.adapters.profile import Profile
 from fleet_tui.config.entries import FloorEntry, RobotEntry
 from fleet_tui.config.schema import Config, Link
 from fleet_tui.model.events import Event
 from fleet_tui.model.fleet import FleetState
+from fleet_tui.robots.profile import Profile
 from fleet_tui.state.store import Store
 from tests.support.polling import HANGS
 

@@ -3,7 +3,7 @@
 from textual.app import ComposeResult
 from textual.widget import Widget
 
-from fleet_tui.terminal.lean_app import LeanApp
+from fleet_tui.ui.terminal.lean_app import LeanApp
 
 
 class WidgetApp(LeanApp):

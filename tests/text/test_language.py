@@ -7,7 +7,7 @@ from pathlib import Path
 import msgspec
 import pytest
 
-from fleet_tui.errors import CommandError
+from fleet_tui.text.errors import CommandError
 from fleet_tui.text.language import (
     EMPTY,
     Message,

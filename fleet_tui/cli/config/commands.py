@@ -8,8 +8,8 @@ from fleet_tui.cli.chosen import of_file
 from fleet_tui.cli.offers import files
 from fleet_tui.cli.options import NearestGroup, NumberRange, common, merged, screen, timeout
 from fleet_tui.config.load import find, user_folder
+from fleet_tui.config.log_file import log_to_file
 from fleet_tui.config.schema import Config
-from fleet_tui.log_file import log_to_file
 from fleet_tui.text.sanitize import sanitize
 
 

@@ -7,10 +7,10 @@ from pathlib import Path
 from fleet_tui.config.load import shipped
 from fleet_tui.config.saving import write_config
 from fleet_tui.config.schema import Config
-from fleet_tui.discovery.address import bridge_at
-from fleet_tui.discovery.site import DiscoveredSite, start_discovery
-from fleet_tui.discovery.vehicles import STATE_EVERY
-from fleet_tui.errors import FleetError
+from fleet_tui.links.discovery.address import bridge_at
+from fleet_tui.links.discovery.site import DiscoveredSite, start_discovery
+from fleet_tui.links.discovery.vehicles import STATE_EVERY
+from fleet_tui.text.errors import FleetError
 from fleet_tui.text.language import Message
 
 

@@ -9,13 +9,13 @@ from typing import Any
 
 import msgspec
 
-from fleet_tui.adapters.profile import Profile
-from fleet_tui.adapters.registry import KINDS, kind_of
-from fleet_tui.adapters.ros.names import Names
-from fleet_tui.audit.log import operator_name
 from fleet_tui.config.access import without_secrets
 from fleet_tui.config.schema import NOT_IN_FILE, Config
-from fleet_tui.keymap import keymap
+from fleet_tui.keys.keymap import keymap
+from fleet_tui.records.audit.log import operator_name
+from fleet_tui.robots.profile import Profile
+from fleet_tui.robots.registry import KINDS, kind_of
+from fleet_tui.robots.ros.names import Names
 
 Found = tuple[str, object]
 

@@ -10,7 +10,7 @@ import click
 
 from fleet_tui.cli.offers import files
 from fleet_tui.cli.options import NearestGroup, NumberRange, merged, timeout, without_config
-from fleet_tui.log_file import log_to_file
+from fleet_tui.config.log_file import log_to_file
 from fleet_tui.text.sanitize import sanitize
 
 if TYPE_CHECKING:  # numpy

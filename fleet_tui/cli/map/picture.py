@@ -4,12 +4,12 @@ import os
 import sys
 from collections.abc import Iterator
 
-from fleet_tui.errors import MapError
 from fleet_tui.model.grid import OccupancyGrid
+from fleet_tui.text.errors import MapError
 from fleet_tui.text.language import Message
-from fleet_tui.view.map.camera import Camera
-from fleet_tui.view.map.drawing import Drawing
-from fleet_tui.view.map.ground.raster import ground
+from fleet_tui.ui.view.map.camera import Camera
+from fleet_tui.ui.view.map.drawing import Drawing
+from fleet_tui.ui.view.map.ground.raster import ground
 
 SIZE = 80, 24
 """Columns and lines without a terminal."""

@@ -4,11 +4,11 @@ from functools import partial
 from pathlib import Path
 
 from fleet_tui.cli.session import WaitingStore, has_link, session
-from fleet_tui.client.fleet_link import FleetLink
 from fleet_tui.config.schema import Config
-from fleet_tui.errors import FleetError, LinkError, MapError, did_you_mean
+from fleet_tui.links.fleet_link import FleetLink
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.grid import OccupancyGrid
+from fleet_tui.text.errors import FleetError, LinkError, MapError, did_you_mean
 from fleet_tui.text.language import Message
 from fleet_tui.text.sanitize import sanitize
 

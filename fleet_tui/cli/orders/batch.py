@@ -7,12 +7,12 @@ import click
 from fleet_tui.cli.orders.giving import Say, await_reports, forbidden, said, sending, unreachable
 from fleet_tui.cli.orders.outcome import DONE, NO_LINK, NOT_DONE, Outcome, exit_code, unsent
 from fleet_tui.cli.orders.sending import How, Sending, divide
+from fleet_tui.commands.language.grammar import parse
+from fleet_tui.commands.language.words import find_robot, tokens
 from fleet_tui.config.schema import Config
-from fleet_tui.errors import CommandError
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.request import Request
-from fleet_tui.rules.language.grammar import parse
-from fleet_tui.rules.language.words import find_robot, tokens
+from fleet_tui.text.errors import CommandError
 from fleet_tui.text.sanitize import sanitize
 
 Line = tuple[int, str]

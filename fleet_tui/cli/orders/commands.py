@@ -10,8 +10,8 @@ import click
 
 from fleet_tui.cli.offers import places, robots
 from fleet_tui.cli.options import FileName, NearestGroup, NumberRange, fleet, merged
+from fleet_tui.config.log_file import log_to_file
 from fleet_tui.config.schema import Config
-from fleet_tui.log_file import log_to_file
 from fleet_tui.model.set_up.commands import MOST_SETTLES
 
 F = TypeVar("F", bound=Callable[..., Any])

@@ -8,33 +8,33 @@ from functools import partial
 
 import click
 
-from fleet_tui.audit.log import auditing, operator_name
 from fleet_tui.cli.orders.outcome import DONE, NO_LINK, NOT_DONE, NOT_SENT, Outcome, exit_code, print_outcome
 from fleet_tui.cli.orders.sending import LINK_WITHIN, How, Sending, reaches, unreported
 from fleet_tui.cli.orders.set_up import await_set_up
 from fleet_tui.cli.session import session
+from fleet_tui.commands.checks import no_link
+from fleet_tui.commands.language.grammar import ALL, parse_words
+from fleet_tui.commands.language.set_up import USAGE as SET_UP
+from fleet_tui.commands.language.words import find_robot
+from fleet_tui.commands.rights import right_of
+from fleet_tui.commands.rivals import rivals_text
+from fleet_tui.config.log_file import state_folder
 from fleet_tui.config.rights import own_rights, permissions_of
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
-from fleet_tui.desk.watching import watched_desk
-from fleet_tui.errors import CommandError
-from fleet_tui.log_file import state_folder
 from fleet_tui.model.commands import PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.problem import Right
 from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot
-from fleet_tui.rules.commands.batches import summary
-from fleet_tui.rules.commands.checks import no_link
-from fleet_tui.rules.commands.rights import right_of
-from fleet_tui.rules.commands.rivals import rivals_text
-from fleet_tui.rules.language.grammar import ALL, parse_words
-from fleet_tui.rules.language.set_up import USAGE as SET_UP
-from fleet_tui.rules.language.words import find_robot
+from fleet_tui.records.audit.log import auditing, operator_name
+from fleet_tui.records.desk.watching import watched_desk
+from fleet_tui.situation.batches import summary
 from fleet_tui.situation.robots import may_be_back
+from fleet_tui.text.errors import CommandError
 from fleet_tui.text.sanitize import sanitize
-from fleet_tui.view.lines.commands import command_text
-from fleet_tui.view.lines.questions import question
+from fleet_tui.ui.view.lines.commands import command_text
+from fleet_tui.ui.view.lines.questions import question
 
 LABELS_WITHIN = 1.0
 """Additional seconds for labels, which a floor need not have, for the robot's report on whether it is paused,

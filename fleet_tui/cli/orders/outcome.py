@@ -4,13 +4,13 @@ import json
 from collections.abc import Callable, Iterable
 from dataclasses import asdict, dataclass
 
+from fleet_tui.commands.language.grammar import written
 from fleet_tui.model.commands import Command, CommandRecord, Stage
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.rules.language.grammar import written
 from fleet_tui.text.details import detail_text
 from fleet_tui.text.language import Message
 from fleet_tui.text.sanitize import sanitize
-from fleet_tui.view.lines.commands import command_text
+from fleet_tui.ui.view.lines.commands import command_text
 
 VERSION = 2
 DONE = 0

@@ -8,7 +8,10 @@ from functools import partial
 from fleet_tui.cli.orders.driving import follow_order
 from fleet_tui.cli.orders.outcome import DONE, NO_LINK, NOT_DONE, USAGE, Outcome, ended, unsent
 from fleet_tui.cli.session import WaitingStore
-from fleet_tui.client.fleet_link import FleetLink
+from fleet_tui.commands.abilities import unaccepted
+from fleet_tui.commands.checks import acceptable, problems
+from fleet_tui.commands.set_up.losses import set_up_losses
+from fleet_tui.links.fleet_link import FleetLink
 from fleet_tui.model.commands import (
     ClearOrders,
     Command,
@@ -25,10 +28,7 @@ from fleet_tui.model.problem import Permissions, Problem
 from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import CancelGoal, SetUpCommand
-from fleet_tui.rules.commands.abilities import unaccepted
-from fleet_tui.rules.commands.checks import acceptable, problems
-from fleet_tui.rules.commands.local_queue import clearable
-from fleet_tui.rules.commands.set_up.losses import set_up_losses
+from fleet_tui.orders.local_queue import clearable
 from fleet_tui.text.language import Message, counted, joined
 
 LINK_WITHIN = 5.0

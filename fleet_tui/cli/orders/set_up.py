@@ -3,12 +3,12 @@
 from collections.abc import Sequence
 
 from fleet_tui.cli.orders.sending import Sending
+from fleet_tui.commands.language.set_up import floor_of
+from fleet_tui.commands.set_up.checks import map_of
 from fleet_tui.config.schema import Config
-from fleet_tui.errors import CommandError
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.rules.commands.set_up.checks import map_of
-from fleet_tui.rules.language.set_up import floor_of
 from fleet_tui.situation.motion import SELDOM, STANDS_AFTER, is_moving
+from fleet_tui.text.errors import CommandError
 
 STANDING_WITHIN = STANDS_AFTER + SELDOM + 1.0
 """Seconds until a robot at rest has been seen for long enough to count as standing."""

@@ -5,7 +5,7 @@ from typing import Any
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import Order, route_text
 from fleet_tui.model.robot import Robot
-from fleet_tui.rules.commands.local_queue import foreign, waiting_orders_of
+from fleet_tui.orders.local_queue import foreign, waiting_orders_of
 from fleet_tui.situation.robots import adrift
 
 

@@ -14,17 +14,17 @@ from fleet_tui.model.kind import PAUSE
 from fleet_tui.model.link import CommandPath, LinkState, Phase
 from fleet_tui.model.order import Stop
 from fleet_tui.model.robot import Reading, Robot
-from fleet_tui.rules.alarms.trouble import to_look_at
-from fleet_tui.rules.commands.pauses import is_held
+from fleet_tui.situation.alarms.trouble import to_look_at
 from fleet_tui.situation.fact import Fact
 from fleet_tui.situation.facts import OBSTACLE
 from fleet_tui.situation.links import behind, dead_commands, late_link, no_link, untried_commands
+from fleet_tui.situation.pauses import is_held
 from fleet_tui.situation.robots import absence, blocked_robots
 from fleet_tui.text.language import translate
 from fleet_tui.text.limits import some
 from fleet_tui.text.units import counted
-from fleet_tui.view.roles import StyleRole
-from fleet_tui.view.tables.news import news
+from fleet_tui.ui.view.roles import StyleRole
+from fleet_tui.ui.view.tables.news import news
 
 VERSION = 2
 

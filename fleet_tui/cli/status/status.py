@@ -12,10 +12,10 @@ from fleet_tui.cli.status.report import attention, changes, report, untried
 from fleet_tui.config.schema import Config
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.text.sanitize import sanitize
-from fleet_tui.view.lines.status import status_line
-from fleet_tui.view.tables.alarms import alarm_table
-from fleet_tui.view.tables.fleet import fleet_table
-from fleet_tui.view.tables.table import Run
+from fleet_tui.ui.view.lines.status import status_line
+from fleet_tui.ui.view.tables.alarms import alarm_table
+from fleet_tui.ui.view.tables.fleet import fleet_table
+from fleet_tui.ui.view.tables.table import Run
 
 FINE = 0
 ATTENTION = 1

@@ -2,8 +2,8 @@
 
 from collections.abc import Iterable, Mapping
 
-from fleet_tui.errors import ConfigError, did_you_mean
 from fleet_tui.simulator.faults import camera, hand, wire, world
+from fleet_tui.text.errors import ConfigError, did_you_mean
 
 Faults = Mapping[str, tuple[str, wire.Play]]
 """Faults by name: the help text, and the function that applies the fault to a robot."""

@@ -6,9 +6,9 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from fleet_tui.errors import FleetError
 from fleet_tui.simulator.navigating.poses import FRAME
 from fleet_tui.simulator.warehouse import SimFloor, build_building
+from fleet_tui.text.errors import FleetError
 from fleet_tui.text.language import Message
 
 Feature = dict[str, Any]

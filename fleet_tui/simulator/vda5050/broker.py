@@ -10,7 +10,7 @@ from importlib.util import find_spec
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from fleet_tui.errors import FleetError
+from fleet_tui.text.errors import FleetError
 from fleet_tui.text.language import Message
 
 NO_BROKER = Message("no broker for the vehicles: apt install mosquitto, or pip install 'fleet-tui[broker]'")

@@ -4,8 +4,8 @@ import json
 from pathlib import Path
 from typing import Any
 
-from fleet_tui.errors import FleetError
 from fleet_tui.simulator.warehouse import SimFloor, build_building
+from fleet_tui.text.errors import FleetError
 from fleet_tui.text.language import Message
 
 _NODE = {"vehicleTypeNodeProperties": [{"vehicleTypeId": "simulated"}]}

@@ -13,13 +13,13 @@ from typing import Any, cast
 import paho.mqtt.client as mqtt
 from paho.mqtt.enums import CallbackAPIVersion
 
+from fleet_tui.signals import stopped_by_signal
 from fleet_tui.simulator.faults import Faults, parse_faults_of
 from fleet_tui.simulator.run import await_stdin
 from fleet_tui.simulator.vda5050.broker import broker, free_port, has_broker
 from fleet_tui.simulator.vda5050.faults import FAULTS
 from fleet_tui.simulator.vda5050.vehicle import SimVehicle
 from fleet_tui.simulator.warehouse import build_building
-from fleet_tui.stopping import stopped_by_signal
 
 STEP = 0.05
 IN_MIXED = ("agv_0", "agv_1")

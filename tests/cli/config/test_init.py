@@ -6,10 +6,10 @@ import tomllib
 from collections.abc import Mapping
 from pathlib import Path
 
-from fleet_tui.adapters.discovery import Discovery, Listed
-from fleet_tui.adapters.oh_ressources.vocabulary import VOCABULARY
 from fleet_tui.config.schema import Config
-from fleet_tui.discovery.recognition import discover
+from fleet_tui.links.discovery.recognition import discover
+from fleet_tui.robots.discovery import Discovery, Listed
+from fleet_tui.robots.oh_ressources.vocabulary import VOCABULARY
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.cli import Ended, run
 from tests.support.site_faults import PLANTS, only_listened_to, renamed, retyped

@@ -7,11 +7,11 @@ from typing import Any
 
 import pytest
 
-from fleet_tui.adapters.discovery import Listed
 from fleet_tui.config.load import read
 from fleet_tui.config.schema import Link
-from fleet_tui.discovery.config_text import render
-from fleet_tui.discovery.recognition import discover
+from fleet_tui.links.discovery.config_text import render
+from fleet_tui.links.discovery.recognition import discover
+from fleet_tui.robots.discovery import Listed
 from fleet_tui.simulator.nav2.fleet import Nav2Fleet
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer

@@ -5,7 +5,7 @@ import numpy as np
 from fleet_tui.cli.map.picture import SIZE, map_text, output_drawing, output_size
 from fleet_tui.model.geometry import MapFrame
 from fleet_tui.model.occupancy import build_grid
-from fleet_tui.view.map.drawing import Drawing
+from fleet_tui.ui.view.map.drawing import Drawing
 
 
 def test_it_is_as_large_as_the_output() -> None:

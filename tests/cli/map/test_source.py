@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from fleet_tui.cli.map.source import map_from
-from fleet_tui.errors import FleetError, MapError
+from fleet_tui.text.errors import FleetError, MapError
 from tests.support.nav2_site import nav2_site
 
 

@@ -8,7 +8,7 @@ import pytest
 from fleet_tui.cli.orders.outcome import DONE, NO_LINK, NOT_DONE, USAGE
 from fleet_tui.cli.orders.sending import How, Sending, divide, reaches, unreported
 from fleet_tui.cli.session import WaitingStore
-from fleet_tui.client.fleet_link import FleetLink
+from fleet_tui.links.fleet_link import FleetLink
 from fleet_tui.model.commands import ClearOrders, Command, PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.events import CommandAdvanced, CommandIssued, CommandPathChanged
 from fleet_tui.model.fleet import FleetState

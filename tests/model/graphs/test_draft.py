@@ -3,9 +3,9 @@
 from hypothesis import given
 from hypothesis import strategies as st
 
+from fleet_tui.features.graphs.rules import edits
 from fleet_tui.model.graphs.document import DocumentEdge, DocumentFloor, DocumentVertex
 from fleet_tui.model.graphs.draft import Change, GraphDraft
-from fleet_tui.rules.graphs import edits
 from fleet_tui.text.language import Message
 
 EMPTY = DocumentFloor("floor_0")

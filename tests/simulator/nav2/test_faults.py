@@ -6,13 +6,13 @@ import json
 import pytest
 from websockets.asyncio.client import ClientConnection
 
-from fleet_tui.errors import ConfigError
 from fleet_tui.simulator.faults import parse_faults
 from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.nav2.faults import FAULTS
 from fleet_tui.simulator.nav2.fleet import Nav2Fleet
 from fleet_tui.simulator.navigating.faults import EVERY
 from fleet_tui.simulator.server import RosbridgeServer
+from fleet_tui.text.errors import ConfigError
 from tests.support.nav2_client import (
     TO_POSE,
     call,

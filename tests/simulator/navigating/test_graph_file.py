@@ -8,9 +8,9 @@ from typing import Any
 
 import pytest
 
-from fleet_tui.errors import FleetError
 from fleet_tui.simulator.navigating.graph_file import write_graphs
 from fleet_tui.simulator.warehouse import build_floor
+from fleet_tui.text.errors import FleetError
 from tests.support.command_line import run
 
 

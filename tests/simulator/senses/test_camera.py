@@ -5,8 +5,8 @@ import io
 import numpy as np
 from PIL import Image
 
-from fleet_tui.adapters.ros.set_up.camera import read_image
 from fleet_tui.model.geometry import Pose
+from fleet_tui.robots.ros.set_up.camera import read_image
 from fleet_tui.simulator.floorplan import FREE, HEIGHT, OCCUPIED, WIDTH
 from fleet_tui.simulator.senses.camera import CEILING, SIZE, jpeg, message, view
 

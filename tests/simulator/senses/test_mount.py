@@ -1,7 +1,7 @@
 """The static frames of simulated robots: one message of each, for late subscribers too."""
 
-from fleet_tui.adapters.ros.set_up.frames import read_frames
 from fleet_tui.model.set_up.frames import Mount, mount_of
+from fleet_tui.robots.ros.set_up.frames import read_frames
 from fleet_tui.simulator.ros.ros1 import ROS1
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.senses.mount import MOUNT, frames_topic

@@ -5,7 +5,6 @@ import asyncio
 import pytest
 
 from fleet_tui.config.load import from_text
-from fleet_tui.errors import FleetError
 from fleet_tui.model.commands import PauseRobot, PlaceOrder, ResumeRobot, Stage
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.link import CommandPath
@@ -13,6 +12,7 @@ from fleet_tui.model.order import Stop
 from fleet_tui.simulator.vda5050 import broker as brokers
 from fleet_tui.simulator.vda5050.broker import broker, free_port
 from fleet_tui.simulator.vda5050.serving import VehicleClient, vehicles_of
+from fleet_tui.text.errors import FleetError
 from tests.support.broker import needs_mosquitto
 from tests.support.driven_time import TIME
 from tests.support.links import finished, linked

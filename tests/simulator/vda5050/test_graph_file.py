@@ -4,9 +4,9 @@ from pathlib import Path
 
 import pytest
 
-from fleet_tui.errors import FleetError
 from fleet_tui.maps.route_graphs import load_floor_graph
 from fleet_tui.simulator.vda5050.graph_file import write_lif
+from fleet_tui.text.errors import FleetError
 
 
 def test_the_graph_of_each_floor_is_a_file_of_lif(tmp_path: Path) -> None:

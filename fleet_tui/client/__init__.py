@@ -1,1 +1,0 @@
-"""The client: transports and adapters combined, feeding the store."""

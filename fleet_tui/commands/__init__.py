@@ -1,0 +1,1 @@
+"""Commands: what is typed, checked before it leaves, and confirmed by telemetry. Pure."""

@@ -1,1 +1,0 @@
-"""The desk at the keyboard."""

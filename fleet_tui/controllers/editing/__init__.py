@@ -1,1 +1,0 @@
-"""The graph editor: its draft, drawing, checks, and files."""

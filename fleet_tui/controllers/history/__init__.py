@@ -1,1 +1,0 @@
-"""The history on the screen, notes for the next shift, and the way into recordings."""

@@ -1,1 +1,0 @@
-"""Set-up from the console: poses and goals, streams, mapping."""

@@ -1,0 +1,1 @@
+"""The desk at the keyboard: claims, notes, acknowledgements, closed edges."""

@@ -1,0 +1,1 @@
+"""The graph editor: its draft, drawing, checks and files; `fleet-tui graph`."""

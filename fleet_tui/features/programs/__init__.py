@@ -1,0 +1,1 @@
+"""Programs of robot servers: their page, questions and commands of the shell."""

@@ -1,0 +1,1 @@
+"""Routines: files of instructions for robots, checked, run, and owned by one process."""

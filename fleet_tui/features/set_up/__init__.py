@@ -1,0 +1,1 @@
+"""Set-up of a robot: poses and goals, mapping, cameras."""

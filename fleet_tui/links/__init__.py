@@ -1,0 +1,1 @@
+"""Links: transports and robots' kinds combined, feeding the store."""

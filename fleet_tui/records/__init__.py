@@ -1,0 +1,1 @@
+"""What consoles keep on disk: audit log, desk, history, recordings."""

@@ -1,1 +1,0 @@
-"""Rules: pure decisions over the state of the fleet."""

@@ -1,1 +1,0 @@
-"""Rules of commands: checked before they leave, confirmed by telemetry, followed to their end."""

@@ -1,1 +1,0 @@
-"""The part of the fleet's state that is history."""

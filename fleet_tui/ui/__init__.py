@@ -1,0 +1,1 @@
+"""The screen: keys become requests, the state becomes pictures."""

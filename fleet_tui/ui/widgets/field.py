@@ -1,0 +1,45 @@
+"""A text field whose keys act at once."""
+
+from collections.abc import Callable, Mapping
+from functools import partial
+
+from textual import events
+from textual.geometry import Size
+from textual.reactive import Reactive
+from textual.widgets import Input
+
+from fleet_tui.links.transports.loop import end_turn, give_turn
+from fleet_tui.text.sanitize import sanitize
+
+Keys = Mapping[str, Callable[[], object]]
+
+
+def row_keys(move: Callable[[int], object]) -> Keys:
+    """Return the keys with which a field that has the focus moves the cursor of rows."""
+    steps = {"up": -1, "down": 1, "pageup": -10, "pagedown": 10}
+    return {key: partial(move, step) for key, step in steps.items()}
+
+
+class Field(Input):
+    """Runs the callback `on` for a key; all others edit its text."""
+
+    # A letter moves no other widget; Textual would lay out and paint the whole screen for each.
+    virtual_size = Reactive(Size(0, 0), layout=False)
+
+    def __init__(self, on: Keys, *, id: str, placeholder: str = "") -> None:
+        super().__init__(id=id, placeholder=placeholder, compact=True, select_on_focus=True)
+        self._on = on
+
+    def on_paste(self, event: events.Paste) -> None:
+        """Insert pasted text, sanitized: it may come from a robot."""
+        event.text = "\n".join(map(sanitize, event.text.splitlines()))
+
+    def on_key(self, event: events.Key) -> None:
+        """Run the callback of a key, or let Textual insert it."""
+        if (action := self._on.get(event.key)) is None:
+            give_turn()
+            return
+        end_turn()  # a command may follow, which the loop sends
+        event.stop()
+        event.prevent_default()
+        action()

@@ -1,1 +1,0 @@
-"""Programs of robot servers as rows, questions and lines."""

@@ -1,1 +1,0 @@
-"""Routines as lines and rows."""
