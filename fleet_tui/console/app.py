@@ -151,7 +151,7 @@ class FleetApp(LeanApp, inherit_bindings=False):
     async def on_key_released(self, released: KeyReleased) -> None:
         """Stop what drives only while its key is held."""
         if self.main.is_complete:
-            await self.keys.then(partial(self.main.features.release_key, released.key))
+            await self.keys.then(partial(self.main.features.driving.release_key, released.key))
 
     def on_unmount(self) -> None:
         """Close the connections before the loop goes."""

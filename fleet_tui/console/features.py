@@ -7,38 +7,23 @@ from typing import assert_never
 
 from msgspec.structs import replace
 from textual.screen import Screen
-from textual.worker import get_current_worker
 
-from fleet_tui.features.audit.page import AuditLog
+from fleet_tui.features.audit.feature import audit_feature
 from fleet_tui.features.desk.commands import DeskCommands
 from fleet_tui.features.desk.notes import join_desk
-from fleet_tui.features.drive.controls import DriveControls
-from fleet_tui.features.graphs.checks import DraftChecks
-from fleet_tui.features.graphs.drawing import GraphDrawing
-from fleet_tui.features.graphs.edge_values import EdgeValues
-from fleet_tui.features.graphs.editor import GraphEditor
-from fleet_tui.features.graphs.files import DraftFiles
-from fleet_tui.features.graphs.old_files import OldFiles
-from fleet_tui.features.graphs.route_files import RouteFiles
-from fleet_tui.features.graphs.sending import DraftSending
-from fleet_tui.features.graphs.values import VertexValues
-from fleet_tui.features.history.note import NoteCommand
-from fleet_tui.features.history.overlay import HistoryOverlay
-from fleet_tui.features.programs.page import Programs
-from fleet_tui.features.recording.incident import Cancelled, IncidentPacking
-from fleet_tui.features.recording.switch import RecordingSwitch
-from fleet_tui.features.routines.page import Routines
+from fleet_tui.features.drive.feature import HandDriving
+from fleet_tui.features.graphs.feature import GraphEditing
+from fleet_tui.features.history.feature import history_feature
+from fleet_tui.features.programs.feature import programs_feature
+from fleet_tui.features.recording.feature import recording_feature
+from fleet_tui.features.routines.feature import routines_feature
 from fleet_tui.features.set_up.camera import CameraControls, PictureTerminal
 from fleet_tui.features.set_up.camera_switch import CameraSwitch
+from fleet_tui.features.set_up.feature import SetUp
 from fleet_tui.features.set_up.live_map import LiveMap
-from fleet_tui.features.set_up.mapping import MappingControls
-from fleet_tui.features.set_up.poses import PoseRequests
-from fleet_tui.features.set_up.snap import PoseSnap
 from fleet_tui.keys import KEYS, Key, Pane
-from fleet_tui.keys.drive import PASSES, WHILE_HELD
-from fleet_tui.keys.edit import FAR
+from fleet_tui.keys.drive import PASSES
 from fleet_tui.keys.key import key_name
-from fleet_tui.keys.place import FINE_TURN, TURN
 from fleet_tui.model.alarm import Key as AlarmKey
 from fleet_tui.model.marks import numbered
 from fleet_tui.situation.alarms.trouble import alarms_of_none, in_turn, next_in_trouble
@@ -153,24 +138,31 @@ class Features:
             console.backend,
         )
         self.robot_page = RobotPage(page, self.robots.menu, lambda: panes.space_beside_map)
-        self.audit_log = AuditLog(console.files, console.notices.say)
-        self.programs = Programs(console)
-        self.routines = Routines(console)
         self.diagnostics = Diagnostics(Pages(state, console.backend, settings.clock), settings.keys)
-        self.history = HistoryOverlay(console, lambda: self.map.picture.options, self._loss)
-        self.note = NoteCommand(console)
         self.save = SaveCommand(console)
         offers = Offers(console, session, self.save, self._run)
-        self.palette = Palette(offers.entries, lambda line: self._typed_set_up(line) or offers.typed(line))
-        self._add_set_up()
+        self.palette = Palette(offers.entries, lambda line: self._typed(line) or offers.typed(line))
+        self.editing = GraphEditing(console, self.map_controls, self.map.picture)
+        self.set_up = SetUp(console, self.map_controls, self.map.picture, self.streams.comparison)
+        self.driving = HandDriving(console, self.map_controls, self.map, self._app.tell_releases)
+        self.desk = DeskCommands(console)
+        self.facilities = FacilityList(console)
         self.simple = SimpleSwitch(console, panes, self.map, self.orders.may_order)
-        self.tools: tuple[TableOverlay, ...] = (
-            self.audit_log,
-            self.diagnostics,
-            self.history,
-            self.programs,
-            self.routines,
+        history = history_feature(console, lambda: self.map.picture.options, self._loss)
+        self._pages_of_history = history.overlays
+        self._features = (
+            audit_feature(console),
+            history,
+            programs_feature(console),
+            recording_feature(console, screen),
+            routines_feature(console),
+            self.desk.feature,
+            self.editing.feature,
+            self.set_up.feature,
+            self.driving.feature,
         )
+        overlays = (overlay for feature in self._features for overlay in feature.overlays)
+        self.tools: tuple[TableOverlay, ...] = (self.diagnostics, *overlays)
         self.styled = [self.map, *self.tools, *self.key_help.views, *self.small_maps]
         self.styled += [self.robot_page, self.camera_switch.view]
         self.actions = self._key_actions()
@@ -199,43 +191,6 @@ class Features:
         self.camera = CameraControls(console, view, terminal)
         self.camera_switch = CameraSwitch(self._panes, self.map, view, self.camera, notices.say)
 
-    def _add_set_up(self) -> None:
-        console, picture, controls = self._console, self.map.picture, self.map_controls
-        self.poses = PoseRequests(console, controls, picture, self.streams.comparison)
-        self.snap = PoseSnap(console, controls, picture)
-        self.mapping = MappingControls(console, picture)
-        self.editor = GraphEditor(console, controls, picture)
-        self.checks = DraftChecks(console, self.editor)
-        old_files = OldFiles()
-        self.draft_files = DraftFiles(console, self.editor, self.checks, old_files)
-        route_files = RouteFiles(console, self.editor, old_files)
-        self.sending = DraftSending(console, self.editor, self.checks, route_files)
-        self.values = VertexValues(console, self.editor)
-        self.edge_values = EdgeValues(console, self.editor)
-        self.drawing = GraphDrawing(console, self.editor, self.values, self.edge_values)
-        self._add_drive()
-        self.desk = DeskCommands(console)
-        self.facilities = FacilityList(console)
-
-    def _add_drive(self) -> None:
-        view = self.map
-
-        def focus() -> None:
-            # Later: a question gives the focus back to where it was.
-            view.call_later(view.screen.set_focus, view)
-
-        ids = {key.id for key in KEYS if key.pane is Pane.DRIVE} | PASSES
-        keys = self._console.settings.keys
-        self.drives = DriveControls(
-            self._console,
-            controls=self.map_controls,
-            picture=view.picture,
-            focus=focus,
-            is_shown=lambda: view.size.height > 0,
-            passes=frozenset(textual_key(key) for id_ in ids for key in keys[id_]),
-            tell_releases=self._app.tell_releases,
-        )
-
     @property
     def _app(self) -> LeanApp:
         app = self._screen.app
@@ -244,25 +199,17 @@ class Features:
 
     def _loss(self) -> Message:
         """Return the reason why this console can't be left alone, empty if it can."""
-        if self.drives.mode is not None:
-            return Message("a robot is driven by hand")
-        return Message("a routine runs here") if self.routines.has_losses else EMPTY
+        return next(filter(None, (feature.loss() for feature in self._features)), EMPTY)
 
     def _run(self, key: Key) -> None:
         """Run the action of a key, after the current one."""
         self._screen.call_later(self._screen.run_action, action_of(key))
 
-    def release_key(self, released: str) -> None:
-        """Release the direction of a key, by Textual's name of it."""
-        for id_, direction in WHILE_HELD.items():
-            if released in map(textual_key, self._console.settings.keys[id_]):
-                self.drives.release(direction)
-
-    def _typed_set_up(self, line: str) -> Typed | None:
-        """Parse a typed line that is about the desk, the draft or the map, None for any other."""
-        takers = (self.anyone, self.note, self.desk, self.facilities, self.values, self.edge_values)
-        found = (one.typed(line) for one in (*takers, self.draft_files, self.mapping))
-        return next(filter(None, found), None)
+    def _typed(self, line: str) -> Typed | None:
+        """Parse a typed line that is of a feature, or about any robot or a facility; None for any other."""
+        parsers = (self.anyone.typed, self.facilities.typed)
+        own = (parse for feature in self._features for parse in feature.typed)
+        return next(filter(None, (parse(line) for parse in (*parsers, *own))), None)
 
     async def mount(self) -> None:
         """Mount all widgets, the focus on the map. The audit log starts before there is a link."""
@@ -289,7 +236,7 @@ class Features:
 
     def show_scene(self, scene: Scene) -> None:
         """Show a scene on the map, at the same scale until no panel covers a part of it any more."""
-        self.drives.look(scene)
+        self.driving.controls.look(scene)
         covers = self.why.is_open or self.menu.is_open or self.order_form.is_open
         self.map.picture.viewport.holds = covers or self._covers
         self._covers = covers
@@ -318,11 +265,11 @@ class Features:
     @property
     def map_pane(self) -> Pane:
         """Return the pane of the keys that work on the map now."""
-        if self.editor.is_open:
+        if self.editing.editor.is_open:
             return Pane.EDIT
-        if self.drives.mode is not None:
+        if self.driving.controls.mode is not None:
             return Pane.DRIVE
-        return Pane.PLACE if self.poses.mode is not None else Pane.MAP
+        return Pane.PLACE if self.set_up.poses.mode is not None else Pane.MAP
 
     def blocks(self, key: Key) -> bool:
         """Tell whether a key does nothing now: keys of modes work in theirs alone, and in a drive all others
@@ -341,18 +288,9 @@ class Features:
             return self._session.pane or self.map_pane
         if self.diagnostics.is_open:
             return Pane.DIAGNOSTICS
-        if self.history.is_open:
+        if any(pages.is_open for pages in self._pages_of_history):
             return Pane.HISTORY
         return Pane.ROWS if isinstance(self._screen.focused, RowsPane) else Pane.CONSOLE
-
-    def _after_a_drive(self, reason: Message, do: Callable[[], object]) -> Callable[[], object]:
-        """Return an action that ends a drive first."""
-
-        def end_first() -> object:
-            self.drives.end(reason)
-            return do()
-
-        return end_first
 
     def _key_actions(self) -> dict[str, Callable[[], object]]:
         """Return the action of each key that works on the screen, by its id."""
@@ -361,34 +299,26 @@ class Features:
             **self._command_actions(),
             **self._view_actions(),
             **self._map_actions(),
-            **self._place_actions(),
-            **self._edit_actions(),
-            **self._drive_actions(),
             **self.tables.actions,
+            **{id_: action for feature in self._features for id_, action in feature.actions.items()},
             **self._session.actions,
         }
 
     def _app_actions(self) -> dict[str, Callable[[], object]]:
-        app, screen = self._app, self._screen
-        recording = RecordingSwitch(self._console, partial(screen.run_worker, thread=True))
-        shot = partial(app.export_screenshot, title="fleet-tui")
-        incident = IncidentPacking(self._console, shot, self._in_thread)
+        app = self._app
         return {
-            "suspend": self._after_a_drive(Message("suspended"), app.action_suspend_process),
+            "suspend": self.driving.ended_before(Message("suspended"), app.action_suspend_process),
             "repaint": app.action_repaint,
-            "quit": self.routines.quit,
             "say_quit": self._say_quit,
             "back": self._back,
             "next_pane": app.action_focus_next,
             "previous_pane": app.action_focus_previous,
-            "record": recording.turn,
-            "bundle": incident.pack,
             "save": self.save.start,
         }
 
     def _command_actions(self) -> dict[str, Callable[[], object]]:
         orders, robots, alarms = self.orders, self.robots, self.alarms
-        pause_all = self._after_a_drive(Message("pause all"), robots.pause_all)
+        pause_all = self.driving.ended_before(Message("pause all"), robots.pause_all)
         return {
             "order": self._order,
             "cancel": orders.cancel,
@@ -426,11 +356,6 @@ class Features:
             "all_orders": self._all_orders,
             "enlarge": self._panes.enlarge,
             "diagnostics": self._diagnose,
-            "audit": self.audit_log.show,
-            "history": self.history.show,
-            "programs": self.programs.show,
-            "routines": self.routines.show,
-            "desk": self.desk.menu,
             "facilities": self.facilities.menu,
             "go_to_time": partial(self.palette.show, "@"),
             "next_trouble": self._next_trouble,
@@ -460,57 +385,6 @@ class Features:
             "laser": self.streams.laser,
             "path": self.streams.path,
             "camera": self.camera_switch.turn,
-            "mapping": self.mapping.menu,
-        }
-
-    def _place_actions(self) -> dict[str, Callable[[], object]]:
-        poses = self.poses
-        return {
-            "pose": poses.pose,
-            "goal": poses.goal,
-            "place_send": poses.send,
-            "place_left": partial(poses.turn, TURN),
-            "place_right": partial(poses.turn, -TURN),
-            "place_fine_left": partial(poses.turn, FINE_TURN),
-            "place_fine_right": partial(poses.turn, -FINE_TURN),
-            "place_snap": self.snap.snap,
-            "place_leave": poses.leave,
-        }
-
-    def _edit_actions(self) -> dict[str, Callable[[], object]]:
-        editor, drawing, values, pan = self.editor, self.drawing, self.values, self.map_controls.pan
-        return {
-            "edit": editor.start,
-            "edit_add": drawing.add_at_cursor,
-            "edit_connect": drawing.connect,
-            "edit_select": drawing.select,
-            "edit_name": values.name,
-            "edit_type": values.choose_type,
-            "edit_turn": drawing.turn,
-            "edit_move": drawing.hold,
-            "edit_remove": drawing.remove,
-            "edit_undo": editor.undo,
-            "edit_redo": editor.redo,
-            "edit_lint": self.checks.show_findings,
-            "edit_compare": self.checks.compare,
-            "edit_write": self.draft_files.write,
-            "edit_send": self.sending.start,
-            "edit_add_at_robot": drawing.add_at_robot,
-            "edit_leave": editor.leave,
-            "edit_left_far": partial(pan, -FAR, 0),
-            "edit_right_far": partial(pan, FAR, 0),
-            "edit_up_far": partial(pan, 0, -FAR),
-            "edit_down_far": partial(pan, 0, FAR),
-        }
-
-    def _drive_actions(self) -> dict[str, Callable[[], object]]:
-        drives = self.drives
-        return {
-            "drive": drives.start,
-            **{id_: partial(drives.press, direction) for id_, direction in WHILE_HELD.items()},
-            "drive_leave": drives.leave,
-            "drive_faster": partial(drives.change_speed, 1),
-            "drive_slower": partial(drives.change_speed, -1),
         }
 
     def _say_quit(self) -> None:
@@ -533,7 +407,7 @@ class Features:
         if self.camera.is_open:
             self.camera_switch.turn()
             return
-        if not self.editor.is_open:
+        if not self.editing.editor.is_open:
             self.map_controls.leave_mode()
         if self.map.display:
             self._screen.set_focus(self.map)
@@ -616,13 +490,6 @@ class Features:
         if not keys:
             self._console.notices.hint(Message("no robot has an alarm or needs attention"))
 
-    def _in_thread(self, work: Callable[[Cancelled], None]) -> None:
-        def run() -> None:
-            worker = get_current_worker()
-            work(lambda: worker.is_cancelled)
-
-        self._screen.run_worker(run, thread=True, exit_on_error=False)
-
     def picked(self, event: messages.Picked) -> None:
         """Run the action for a click or selection on the map, a row or its button, or the time line."""
         navigation = self._navigation
@@ -635,7 +502,7 @@ class Features:
                 navigation.find_floor(event.name)
             case messages.PlacePicked():
                 # A pose or goal is where the mouse was; only a draft does something with it.
-                self.drawing.clicked(event.dragged)
+                self.editing.drawing.clicked(event.dragged)
             case messages.RowPicked():
                 # The fleet's cursor selects. It may have moved since.
                 is_there = event.pane == "fleet" and event.key == self._panes.fleet.listing.cursor

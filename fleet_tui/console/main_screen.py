@@ -186,7 +186,7 @@ class MainScreen(Screen[None]):
     def _show_hints(self, state: FleetState, robot: str) -> None:
         types = self._in_overlay() or isinstance(self.focused, Input)
         pane = Pane.ANYWHERE if types else self.focused_pane()
-        idle = idle_hints(state, robot) | (self.features.snap.idle_keys if self.is_complete else set())
+        idle = idle_hints(state, robot) | (self.features.set_up.snap.idle_keys if self.is_complete else set())
         about = self.focused.KEY if isinstance(self.focused, RobotOverlay) else ""
         hidden = hidden_keys(state, robot) | idle | self.unoffered | {about}
         focused = (self.focused and self.focused.id) or ""
@@ -211,7 +211,7 @@ class MainScreen(Screen[None]):
             selection = replace(selection, floor=drafted[0].marked.floor)
         self.features.live_map.show(state, selection, others=self.panes.has_small_maps)
         scene = self.features.streams.on(floor_scene(state, selection, drafted))
-        self.features.show_scene(self.features.mapping.on(scene))
+        self.features.show_scene(self.features.set_up.mapping.on(scene))
 
     def _forget_trails(self) -> bool:
         if self.is_complete:

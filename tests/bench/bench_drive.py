@@ -44,7 +44,7 @@ async def keys(it: Console) -> list[float]:
             sent.clear()
             started = time.perf_counter()
             it.app.post_message(events.Key("a", "a"))
-            await it.until(lambda _: sent or it.app.main.features.drives.mode is None)
+            await it.until(lambda _: sent or it.app.main.features.driving.controls.mode is None)
             assert sent, it.app.main.notices.text
             taken.append((sent[0] - started) * 1000)
     return taken
@@ -54,7 +54,7 @@ async def direct(it: Console) -> list[float]:
     """The same way without the screen: the hand's speeds to the wire."""
     sent: list[float] = []
     taken = []
-    drive = it.app.main.features.drives.drive
+    drive = it.app.main.features.driving.controls.drive
     assert drive is not None and drive.state.phase is DrivePhase.READY
     with wiretap(moves, sent):
         for _ in range(PRESSES):

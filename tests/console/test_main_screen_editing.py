@@ -16,7 +16,7 @@ from tests.support.planted_console import planted
 
 
 def drawn(it: Console) -> tuple[int, int]:
-    draft = it.app.main.features.editor.draft
+    draft = it.app.main.features.editing.editor.draft
     assert draft is not None
     return len(draft.floor.vertices), len(draft.floor.edges)
 
@@ -67,7 +67,7 @@ async def test_beside_the_map_the_console_keeps_its_keys_and_escape_leaves() -> 
 async def test_the_mouse_draws_too() -> None:
     async with planted(2, 2) as it:
         await it.press("E", "i")
-        editor = it.app.main.features.editor
+        editor = it.app.main.features.editing.editor
         assert editor.draft is not None and editor.mode is not None
         (made,) = [v for v in editor.draft.floor.vertices.values() if v.id == editor.mode.selected]
         picture = it.app.main.features.map.picture
@@ -102,7 +102,7 @@ async def edited(site: Site, folder: Path, path_there: str = "{path}") -> AsyncI
     files = ConsoleFiles(graph_file=lambda _floor: file, folder=folder)
     async with console(config, (160, 40), wait=bool(floor.graph), files=files) as it:
         await it.press("E")
-        editor = it.app.main.features.editor
+        editor = it.app.main.features.editing.editor
         if editor.draft is not None and editor.mode is not None and editor.draft.floor.vertices:
             start = editor.draft.floor.vertices[site.vertex("Base")]
             editor.mode.selected, editor.mode.cursor = start.id, (start.x + 1.5, start.y)
@@ -135,9 +135,9 @@ def loaded(site: Site) -> list[object]:
 
 
 def differences(it: Console) -> int:
-    rest = it.app.main.features
-    assert rest.editor.draft is not None
-    return len(rest.checks.changes(rest.editor.draft.floor))
+    editing = it.app.main.features.editing
+    assert editing.editor.draft is not None
+    return len(editing.checks.changes(editing.editor.draft.floor))
 
 
 async def test_a_robot_with_nav2_loads_the_drawn_graph_from_the_floors_file(

@@ -24,7 +24,7 @@ async def test_a_mislocalised_robot_is_put_right_by_keys_alone(
         await it.until(lambda state: state.robots["robot_0"].still_for > 3)
         await it.press("I")
         await it.shows("POSE", "map")
-        mode, truth = it.app.main.features.poses.mode, robot.pose
+        mode, truth = it.app.main.features.set_up.poses.mode, robot.pose
         assert mode is not None
         mode.cursor, mode.yaw = (truth.x, truth.y), truth.yaw  # as arrows do, cell by cell
         await it.press("right", "left", "h", "l", "H", "L")
@@ -40,7 +40,7 @@ async def test_a_mislocalised_robot_is_put_right_by_keys_alone(
         )
         assert found.commands[-1].stage is Stage.CONFIRMED
         assert robot.belief.misplaced is None
-        assert it.app.main.features.poses.mode is None
+        assert it.app.main.features.set_up.poses.mode is None
         await it.shows(" % of the scan fits the map, ")
         streams = it.app.main.backend.streams
         it.app.main.tick()
@@ -60,7 +60,7 @@ async def test_a_pose_snaps_to_the_scan_and_a_goal_does_not(site: Site) -> None:
         await it.press("I")
         await it.shows(" s best fit ", "hints")
         await it.until(lambda _: knows_its_laser(it))
-        mode, truth = it.app.main.features.poses.mode, robot.pose
+        mode, truth = it.app.main.features.set_up.poses.mode, robot.pose
         assert mode is not None
         mode.cursor, mode.yaw = (truth.x + 1.0, truth.y), truth.yaw + 2.0
         await it.press("s")
@@ -77,7 +77,7 @@ async def test_a_goal_is_an_order_to_a_pose(site: Site) -> None:
     async with console(site.config) as it:
         await it.press("G")
         await it.shows("GOAL", "map")
-        mode = it.app.main.features.poses.mode
+        mode = it.app.main.features.set_up.poses.mode
         assert mode is not None
         mode.cursor, mode.yaw = (8.0, 0.0), math.pi / 2
         await it.press("enter")
@@ -93,13 +93,13 @@ async def test_a_goal_is_an_order_to_a_pose(site: Site) -> None:
 async def test_arrows_move_and_escape_leaves(site: Site) -> None:
     async with console(site.config) as it:
         await it.press("I")
-        mode = it.app.main.features.poses.mode
+        mode = it.app.main.features.set_up.poses.mode
         assert mode is not None
         before = mode.cursor
         await it.press("right", "up")
         assert mode.cursor != before
         await it.press("p", "escape")
-        assert it.app.main.features.poses.mode is None
+        assert it.app.main.features.set_up.poses.mode is None
 
 
 async def test_the_scan_shows_how_well_a_pose_fits(site: Site) -> None:
@@ -112,7 +112,7 @@ async def test_the_scan_shows_how_well_a_pose_fits(site: Site) -> None:
         await it.press("escape", "u")
         await it.shows("of 720 beams")
         await it.press("I")
-        mode = it.app.main.features.poses.mode
+        mode = it.app.main.features.set_up.poses.mode
         assert mode is not None
         mode.cursor, mode.yaw = (robot.pose.x, robot.pose.y), robot.pose.yaw
         await it.shows(" m, 100 % fit")

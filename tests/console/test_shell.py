@@ -29,7 +29,7 @@ def passed(monkeypatch: pytest.MonkeyPatch) -> list[tuple[Any, ...]]:
     monkeypatch.setattr("fleet_tui.config.log_file.log_to_file", lambda _debug: None)
     monkeypatch.setattr("fleet_tui.cli.chosen.chosen", lambda *_: CONFIG)
     monkeypatch.setattr("fleet_tui.cli.chosen.chosen_to_examine", lambda *_: (CONFIG, "nobody"))
-    for name in ("cli.record.record", "doctor.run.doctor", "cli.status.status.status"):
+    for name in ("features.recording.cli.record", "features.doctor.run.doctor", "cli.status.status.status"):
         monkeypatch.setattr(f"fleet_tui.{name}", run)
     return found
 

@@ -195,7 +195,7 @@ async def test_every_key_of_the_history(server: RosbridgeServer, tmp_path: Path)
 async def test_every_key_of_the_graph_editor(server: RosbridgeServer) -> None:
     async def editing(it: Console) -> None:
         await close_all(it)
-        if not it.app.main.features.editor.is_open:
+        if not it.app.main.features.editing.editor.is_open:
             await it.press("E")
             if overlays(it):
                 await it.press("enter")
@@ -212,7 +212,7 @@ async def test_every_key_of_the_graph_editor(server: RosbridgeServer) -> None:
 async def test_every_key_of_a_pose(tmp_path: Path) -> None:
     async def placing(it: Console) -> None:
         await close_all(it)
-        if it.app.main.features.poses.mode is None:
+        if it.app.main.features.set_up.poses.mode is None:
             await it.press("I")
 
     names = ("send", "left", "right", "fine_left", "fine_right", "snap", "leave")
@@ -232,7 +232,7 @@ async def test_every_key_of_a_drive(tmp_path: Path) -> None:
 
         async def standing(it: Console) -> None:
             await close_all(it)
-            if it.app.main.features.drives.mode is None:
+            if it.app.main.features.driving.controls.mode is None:
                 await it.press("T")
                 await it.shows("DRIVE robot_0 0.00 m/s", "map")
             await it.until(lambda _: not any(twists()[-1:]))

@@ -19,8 +19,8 @@ from typing import Any
 PATIENCE, HANGS = 1.0, 8.0
 """Seconds until Ctrl-C, and until it counts as hanging."""
 PARTS = (
-    *("cli.main", "__main__", "cli.commands", "cli.simulate", "cli.orders.giving", "cli.config.init"),
-    "console",
+    *("main", "__main__", "console.shell", "console.simulate", "cli.orders.giving", "cli.config.init"),
+    "console.open",
 )
 
 

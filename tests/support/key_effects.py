@@ -27,11 +27,11 @@ def focus(it: Console) -> str | None:
 
 def _drawing(it: Console) -> object:
     rest = it.app.main.features
-    return id(rest.editor.draft), rest.map.picture.options, overlays(it), it.app.main.notices.text
+    return id(rest.editing.editor.draft), rest.map.picture.options, overlays(it), it.app.main.notices.text
 
 
 def _placed(it: Console) -> object:
-    mode = it.app.main.features.poses.mode
+    mode = it.app.main.features.set_up.poses.mode
     return overlays(it), mode and mode.yaw, it.app.main.notices.text
 
 

@@ -18,9 +18,10 @@ from contextlib import suppress
 from pathlib import Path
 
 PARTS = (
-    *("cli.main", "__main__", "cli.commands", "cli.simulate", "cli.serve", "cli.replay", "cli.chosen"),
-    *("cli.orders.giving", "cli.config.init", "cli.config.origins", "cli.status.status", "cli.record"),
-    *("doctor.run", "audit.log", "demo", "client.fleet_link", "recording.incident", "maps.images"),
+    *("main", "__main__", "console.shell", "console.simulate", "console.replay", "console.demo"),
+    *("cli.chosen", "cli.orders.giving", "cli.config.init", "cli.config.origins", "cli.status.status"),
+    *("features.serve.cli", "features.recording.cli", "features.doctor.run", "records.audit.log"),
+    *("links.fleet_link", "records.recording.incident", "maps.images"),
 )
 MOST = 2**18
 """Maximum bytes of a request."""

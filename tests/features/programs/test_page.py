@@ -13,6 +13,7 @@ from fleet_tui.config.programs import ProgramEntry
 from fleet_tui.config.schema import Operator
 from fleet_tui.config.start import initial_state
 from fleet_tui.features.programs import requests as controller
+from fleet_tui.features.programs.page import Programs
 from fleet_tui.model.programs.program import ChangeOutcome
 from fleet_tui.programs import watch
 from fleet_tui.records.audit.file import FILE_NAME
@@ -112,7 +113,7 @@ async def test_a_closed_log_keeps_no_focus(tmp_path: Path, closes: tuple[str, ..
         await it.press("enter", "2")
         await it.shows("a line", PANE)
         await it.press("enter", *closes)
-        programs = it.app.main.features.programs
+        programs = it.app.main.query_one(Programs)
         programs.tick()
         await it.settled()
         assert not programs.is_open
@@ -167,7 +168,7 @@ async def test_a_fault_of_our_own_and_a_closed_console_leave_an_outcome(
             monkeypatch.setattr(controller, "change", fails)
             await it.press("j", "enter", "1", "y")
             await it.shows("nav: start not confirmed (internal error: broken)")
-            (task,) = it.app.main.features.programs.requests.under_way
+            (task,) = it.app.main.query_one(Programs).requests.under_way
         task.cancel()
         await asyncio.wait({task})
     assert audited(tmp_path) == [
@@ -226,7 +227,7 @@ async def test_nothing_runs_once_it_is_closed(tmp_path: Path) -> None:
         await it.press("J")
         await it.shows("● running", PANE)
         await it.press("escape")
-        overlay = it.app.main.features.programs
+        overlay = it.app.main.query_one(Programs)
         overlay.tick()
         assert not [
             task for task in asyncio.all_tasks() if "ProgramWatch" in repr(task) and not task.cancelling()

@@ -2,7 +2,7 @@
 
 import time
 
-from fleet_tui.features.programs.requests import since_text
+from fleet_tui.ui.controllers.local_time import since_text
 
 
 def test_a_time_of_today_has_seconds_and_an_older_one_its_date() -> None:

@@ -1,5 +1,6 @@
 """Every key has an action where it works, and keys of one name do the same."""
 
+from fleet_tui.features.history.overlay import HistoryOverlay
 from fleet_tui.keys import BY_ID, KEYS, Pane
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.ui.widgets.rows_pane import row_actions
@@ -13,7 +14,11 @@ OWN = (Pane.ROWS, Pane.DIAGNOSTICS, Pane.HISTORY)
 async def test_every_key_has_an_action(server: RosbridgeServer) -> None:
     async with console(config_of(server.url, 1)) as it:
         features = it.app.main.features
-        of_panes = [*row_actions(it.app.main.fleet), *features.diagnostics.actions, *features.history.actions]
+        of_panes = [
+            *row_actions(it.app.main.fleet),
+            *features.diagnostics.actions,
+            *it.app.main.query_one(HistoryOverlay).actions,
+        ]
         assert sorted(of_panes) == sorted(key.id for key in KEYS if key.pane in OWN)
         of_player = {key.id for key in KEYS if key.pane is Pane.RECORDING} - {"go_to_time"}
         assert features.actions.keys() == BY_ID.keys() - {*of_panes} - of_player

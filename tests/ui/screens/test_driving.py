@@ -128,7 +128,7 @@ async def test_keys_move_the_robot_and_silence_stops_it(slow_site: Site, size: t
         await it.until(lambda _: is_still(slow_site))
         moved = [one for one in frames(slow_site) if one != (0.0, 0.0, 0.0)]
         assert moved and all(0.0 <= ahead <= 0.1 and 0.0 <= turning <= 0.2 for ahead, _, turning in moved)
-        assert it.app.main.features.drives.mode is not None
+        assert it.app.main.features.driving.controls.mode is not None
         await it.press("escape")
         await it.hides("DRIVE", "map")
         assert slow_site.server.bridge.subscribers(f"/{R0}/cmd_vel") == 0 or is_still(slow_site)
@@ -149,7 +149,7 @@ async def test_any_other_key_stops_and_does_nothing_else() -> None:
             assert is_led(it)
             await it.press(key)
             assert not is_led(it) and it.sent == []
-            assert it.app.main.features.drives.mode is not None, key
+            assert it.app.main.features.driving.controls.mode is not None, key
             assert it.app.is_running and it.app.main.focused is it.app.main.features.map
 
 
@@ -172,7 +172,7 @@ async def test_these_keys_stop_and_leave(key: str, reason: str) -> None:
         assert is_led(it)
         await it.press(key)
         assert end_of(it) == reason
-        assert it.app.main.features.drives.mode is None
+        assert it.app.main.features.driving.controls.mode is None
         if reason != "pause all":
             assert it.app.main.notices.text == f"robot_0 is not driven any more: {reason}"
 
@@ -183,7 +183,7 @@ async def test_a_terminal_without_the_focus_stops_it(slow_site: Site) -> None:
         it.app.post_message(events.AppBlur())
         await it.settled()
         await it.until(lambda _: is_still(slow_site))
-        assert it.app.main.features.drives.mode is None
+        assert it.app.main.features.driving.controls.mode is None
 
 
 async def test_another_robot_ends_it() -> None:
@@ -223,7 +223,7 @@ async def test_the_speed_changes_within_the_caps_and_goes_sideways_only_if_it_ca
         await it.press(*"wq" * 10)
         await it.until(lambda _: is_still(slow_site))
         assert max(math.hypot(x, y) for x, y, _ in frames(slow_site)) <= 0.3 + 1e-9
-        mode = it.app.main.features.drives.mode
+        mode = it.app.main.features.driving.controls.mode
         assert mode is not None and mode.share == 1.0
 
 
@@ -240,7 +240,7 @@ async def test_a_console_that_quits_stops_the_robot(slow_site: Site) -> None:
     async with driving(slow_site) as it:
         await it.press("w")
         await it.until(lambda _: not is_still(slow_site))
-        drive = it.app.main.features.drives.drive
+        drive = it.app.main.features.driving.controls.drive
         assert drive is not None
     assert drive.state.phase is DrivePhase.ENDED
     assert is_still(slow_site)
@@ -255,7 +255,7 @@ async def test_the_release_of_a_key_stops_the_robot() -> None:
         assert is_led(it)
         it.app.post_message(KeyReleased("w"))
         await it.until(lambda _: not is_led(it))
-        assert it.app.main.features.drives.mode is not None
+        assert it.app.main.features.driving.controls.mode is not None
 
 
 async def test_nothing_is_driven_without_the_map_that_tells_it(slow_site: Site) -> None:
@@ -265,7 +265,7 @@ async def test_nothing_is_driven_without_the_map_that_tells_it(slow_site: Site) 
         began = len(frames(slow_site))
         await it.press("T")
         await it.shows("no map in view: close the camera (V)")
-        assert it.app.main.features.drives.mode is None and len(frames(slow_site)) == began
+        assert it.app.main.features.driving.controls.mode is None and len(frames(slow_site)) == began
 
 
 async def test_a_map_that_goes_out_of_view_ends_the_drive(slow_site: Site) -> None:

@@ -2,6 +2,7 @@
 
 import pytest
 
+from fleet_tui.features.programs.page import Programs
 from fleet_tui.text.language import verbatim
 from tests.support.ordering import one_packet
 from tests.support.planted_console import planted
@@ -19,17 +20,17 @@ async def test_keys_typed_right_after_the_palette_or_help_belong_to_it(opener: s
 
 async def test_a_dialog_over_a_list_gives_it_back_and_over_nothing_the_map() -> None:
     async with planted() as it:
-        rest = it.app.main.features
+        rest, programs = it.app.main.features, it.app.main.query_one(Programs)
         await it.press("J")
         rest.confirm.ask(lambda: verbatim("Really?"), lambda: None)
         await it.shows("Really?")
-        assert not rest.programs.is_open
+        assert not programs.is_open
         await it.press("n")
-        assert rest.programs.is_open and rest.programs.rows.has_focus
+        assert programs.is_open and programs.rows.has_focus
         await it.press("escape")
         rest.confirm.ask(lambda: verbatim("Really?"), lambda: None)
         await it.press("n")
-        assert not rest.programs.is_open and rest.map.has_focus
+        assert not programs.is_open and rest.map.has_focus
 
 
 async def test_every_overlay_has_its_title_in_its_border() -> None:
