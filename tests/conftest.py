@@ -17,6 +17,7 @@ from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.ui.terminal import fault_guard
 from tests.support.cli import config_file
+from tests.support.nav2_site import Site, nav2_site
 from tests.support.parsed_styles import parse_styles_once
 
 # In the background of a shell SIGINT is ignored, under nohup SIGHUP: what a test starts would inherit that.
@@ -101,3 +102,10 @@ def folder(server: RosbridgeServer, tmp_path: Path) -> Path:
     path = config_file(tmp_path, server.url, 2, 2)
     path.write_text(text + path.read_text())
     return tmp_path
+
+
+@pytest.fixture
+async def site(tmp_path: Path) -> AsyncIterator[Site]:
+    """Two quiet robots with Nav2."""
+    async with nav2_site(tmp_path, rate=10.0) as running:
+        yield running
