@@ -11,8 +11,10 @@ ROOT = "fleet_tui/"
 
 
 def package_of(file: str) -> str:
-    """The package at the top of a file, `app` for the modules beside them."""
-    head, _, rest = file.removeprefix(ROOT).partition("/")
+    """The package at the top of a file, a feature by itself; `app` for the modules beside them."""
+    head, *rest = file.removeprefix(ROOT).split("/")
+    if head == "features" and len(rest) > 1:
+        return f"{head}.{rest[0]}"
     return head if rest else "app"
 
 
