@@ -1,8 +1,8 @@
 """Checks before a command leaves: one function for each, with its name.
 
 The same for keys, menus, forms, typed lines and the command line; the first of three gates. The second asks
-the operator: `controllers/dispatch.py`, or `cli/orders/sending.py` for the command line. The last one is at
-the link: `client/rosbridge/command_channel.py`. A pause is never held back.
+the operator: `ui/controllers/dispatch.py`, or `cli/orders/sending.py` for the command line. The last one
+is at the link: `links/fleet_link.py`. A pause is never held back.
 """
 
 import re
@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from msgspec.structs import replace
 
 from fleet_tui.commands.abilities import unaccepted
-from fleet_tui.commands.rights import not_allowed
+from fleet_tui.commands.rights import needed_for
 from fleet_tui.commands.route_checks import (
     floor_mismatch,
     mistakable,
@@ -54,14 +54,6 @@ SAME_WITHIN = 1.0
 
 
 Check = Callable[[FleetState, Robot, Command], Iterator[Problem]]
-
-
-def permitted(allowed: Permissions) -> Iterator[Problem]:
-    """Check that this console may send commands."""
-    if allowed.read_only:
-        yield Problem("read-only", Message("this console is read-only"))
-    elif not allowed.armed:
-        yield Problem("not armed", Message("this console is not armed: use Arm in the palette (:)"))
 
 
 def unknown_robot(state: FleetState, name: str) -> Problem:
@@ -262,13 +254,15 @@ def robot_problems(state: FleetState, robot: Robot) -> list[Problem]:
 
 def problems(state: FleetState, request: Request, allowed: Permissions) -> list[Problem]:
     """Return all objections to a request, errors first; the only place that runs the checks."""
-    if refused := not_allowed(request.commands, allowed):
-        return refused
+    needed = needed_for(request.commands)
+    if refusal := allowed.refusal(needed):
+        return [Problem("not allowed", refusal)]
     if impossible := not_accepted(state, request.commands):
         return impossible
     if request.only_pauses:
         return []
-    found, asked = list(permitted(allowed)), set[str]()
+    objection = allowed.objection(needed)
+    found, asked = [objection] if objection else list[Problem](), set[str]()
     for command in request.commands:
         if (robot := state.robots.get(command.robot)) is None:
             found.append(unknown_robot(state, command.robot))

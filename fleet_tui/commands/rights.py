@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from typing import assert_never
 
 from fleet_tui.model.commands import CancelOrder, ClearOrders, Command, PauseRobot, PlaceOrder, ResumeRobot
-from fleet_tui.model.problem import Permissions, Problem, Right
+from fleet_tui.model.problem import Right
 from fleet_tui.model.set_up.commands import CancelGoal, SendGoal, SetUpCommand, StartCharging
 
 SETTING_UP = frozenset({"set-pose", "localise", "settle", "mapping", "store-map", "store-pose-graph"})
@@ -29,8 +29,6 @@ def right_of(verb: str) -> Right:
     return Right.SETUP if verb in SETTING_UP else Right.DISPATCH
 
 
-def not_allowed(commands: Iterable[Command], allowed: Permissions) -> list[Problem]:
-    """Check that the user may give these commands, a pause among them."""
-    needed = max(map(right_for, commands), default=Right.VIEW)
-    refusal = allowed.refusal(needed)
-    return [Problem("not allowed", refusal)] if refusal else []
+def needed_for(commands: Iterable[Command]) -> Right:
+    """Return the right that these commands need together."""
+    return max(map(right_for, commands), default=Right.VIEW)

@@ -13,7 +13,7 @@ from typing import Protocol, cast
 from fleet_tui.commands.rights import right_for
 from fleet_tui.config.access import access_problems
 from fleet_tui.config.fleet import adapters_of, watching
-from fleet_tui.config.rights import own_rights
+from fleet_tui.config.rights import permissions_of
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import extended
 from fleet_tui.links.queue_file import QueueFile
@@ -57,10 +57,9 @@ class FleetLink:
         if problems:
             raise ConfigError([f"{config.path}: {line}" for line in problems])
         self._store = store
-        self._rights = own_rights()
-        if self._rights.right < Right.DISPATCH:
+        self._permissions = permissions_of(config)
+        if self._permissions.right < Right.DISPATCH:
             config, queue = watching(config), None
-        self._read_only = config.operator.read_only
         self._writer = Writer(store, tap)
         self._ids = itertools.count(secrets.randbelow(ID_SPAN) + 1)
         adapters = adapters_of(config)
@@ -134,9 +133,8 @@ class FleetLink:
 
     def _refusal(self, needed: Right) -> Message:
         """Return the reason to send nothing that needs a right: the last gate, whatever asked for it."""
-        return self._rights.refusal(needed) or (
-            Message("this console is read-only") if self._read_only else EMPTY
-        )
+        objection = self._permissions.objection(needed, arms=False)
+        return objection.text if objection else EMPTY
 
     def _queue_or_send(self, command_id: int, command: Command, given_at: float) -> None:
         if not self._waiting_orders.handles(command_id, command, given_at):

@@ -44,3 +44,14 @@ class Permissions(Struct, frozen=True):
         if self.why:
             return Message("not allowed: {right} ({why})", right=needed.word, why=Message(self.why))
         return Message("not allowed: {right}", right=needed.word)
+
+    def objection(self, needed: Right, arms: bool = True) -> Problem | None:
+        """Return what keeps this console from what needs a right, None if nothing does. `arms`: it needs an
+        armed console."""
+        if refusal := self.refusal(needed):
+            return Problem("not allowed", refusal)
+        if self.read_only:
+            return Problem("read-only", Message("this console is read-only"))
+        if arms and not self.armed:
+            return Problem("not armed", Message("this console is not armed: use Arm in the palette (:)"))
+        return None

@@ -6,7 +6,7 @@ import pytest
 
 from fleet_tui.commands.checks import problems
 from fleet_tui.commands.language.set_up import USAGE
-from fleet_tui.commands.rights import SETTING_UP, not_allowed, right_for, right_of
+from fleet_tui.commands.rights import SETTING_UP, needed_for, right_for, right_of
 from fleet_tui.model.commands import Command, PauseRobot, PlaceOrder
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.order import at_vertices
@@ -55,10 +55,12 @@ def test_the_checks_refuse_it_first_a_pause_too(command: Command) -> None:
     word = right_for(command).word
     assert (found.text, found.blocks) == (f"not allowed: {word}", True)
     for right in Right:
-        refused = bool(not_allowed(request.commands, Permissions(right=right)))
+        refused = Permissions(right=right).objection(needed_for(request.commands)) is not None
         assert refused is (right < right_for(command))
 
 
 def test_the_reason_of_a_refused_file_is_told() -> None:
-    (found,) = not_allowed([PauseRobot(R0)], Permissions(right=Right.VIEW, why="no rights: x"))
+    (found,) = problems(
+        fleet(), Request((PauseRobot(R0),)), Permissions(right=Right.VIEW, why="no rights: x")
+    )
     assert found.text == "not allowed: dispatch (no rights: x)"

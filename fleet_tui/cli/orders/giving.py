@@ -19,7 +19,7 @@ from fleet_tui.commands.language.words import find_robot
 from fleet_tui.commands.rights import right_of
 from fleet_tui.commands.rivals import rivals_text
 from fleet_tui.config.log_file import state_folder
-from fleet_tui.config.rights import own_rights, permissions_of
+from fleet_tui.config.rights import permissions_of
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
 from fleet_tui.model.commands import PauseRobot, ResumeRobot, Stage
@@ -47,6 +47,9 @@ ENDING = (signal.SIGTERM, signal.SIGHUP)
 
 Say = Callable[..., None]
 
+_SETTINGS = {"read-only": "operator.read_only", "not armed": "operator.armed"}
+"""What keeps a console from commanding, and its place in the configuration."""
+
 
 class _Ended(KeyboardInterrupt):
     """Ended by a signal: like Ctrl-C, but for the exit code."""
@@ -64,15 +67,11 @@ def how(config: Config, timeout: float, yes: bool, until_done: bool = False) -> 
 def forbidden(config: Config, needed: Right = Right.DISPATCH, arms: bool = True) -> str:
     """Return the reason that this console may not do what needs a right, empty if it may. `arms`: it needs an
     armed console, as all but pauses do."""
-    if refusal := own_rights().refusal(needed):
-        return refusal
-    if config.operator.read_only:
-        return f"this console is read-only: operator.read_only in {config.path}"
-    return (
-        ""
-        if config.operator.armed or not arms
-        else f"this console is not armed: operator.armed in {config.path}"
-    )
+    objection = permissions_of(config).objection(needed, arms)
+    if objection is None:
+        return ""
+    setting = _SETTINGS.get(objection.check)
+    return f"this console is {objection.check}: {setting} in {config.path}" if setting else objection.text
 
 
 def robots_of(config: Config, word: str) -> list[str]:

@@ -8,7 +8,7 @@ from typing import NamedTuple
 from msgspec.structs import replace
 
 from fleet_tui.commands.checks import SAME_WITHIN, acceptable, problems, repeated
-from fleet_tui.commands.rights import not_allowed
+from fleet_tui.commands.rights import needed_for
 from fleet_tui.commands.subject import Subject, subject_of, what_changed
 from fleet_tui.model.commands import Command, PauseRobot
 from fleet_tui.model.events import Event
@@ -20,7 +20,6 @@ from fleet_tui.state.store import Store
 from fleet_tui.text.language import EMPTY, Message, joined, verbatim
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.ui.backend import Backend
-from fleet_tui.ui.controllers.files import READ_ONLY
 from fleet_tui.ui.controllers.notices import Notices
 from fleet_tui.ui.view.lines.questions import losses, question
 
@@ -67,18 +66,16 @@ class Dispatch:
 
     def set_up_refusal(self, needed: Right = Right.SETUP) -> Message:
         """Return the reason that what needs a right can't begin at this console, empty if it can."""
-        if refusal := self.permissions.refusal(needed):
+        if refusal := self.desk_refusal(needed):
             return refusal
-        if self.permissions.read_only:
-            return READ_ONLY
-        return self._refusal()
+        objection = self.permissions.objection(needed)
+        return Message("not sent: {problem}", problem=objection.text) if objection else EMPTY
 
-    def desk_refusal(self) -> Message:
-        """Return the reason that nothing may be claimed or closed from this console, empty if it may."""
-        read_only = (
-            Message("this console is read-only") if self.permissions.read_only else self._backend.refusal
-        )
-        return self.permissions.refusal(Right.DISPATCH) or read_only
+    def desk_refusal(self, needed: Right = Right.DISPATCH) -> Message:
+        """Return the reason that nothing may be claimed or closed from this console, empty if it may: it need
+        not be armed for that."""
+        objection = self.permissions.objection(needed, arms=False)
+        return objection.text if objection else self._backend.refusal
 
     def objections(self, request: Request) -> list[Problem]:
         """Return what speaks against a request, errors first."""
@@ -88,15 +85,12 @@ class Dispatch:
 
     def objection(self, request: Request) -> Message:
         """Return the reason not to send a request, warnings aside; empty if it may be sent."""
-        wrong = [problem.text for problem in self.objections(request) if problem.blocks]
-        if refused := self._not_allowed(request):
-            return refused
+        wrong = [problem for problem in self.objections(request) if problem.blocks]
+        if wrong and wrong[0].check == "not allowed":
+            return wrong[0].text
         return self._backend.refusal or (
-            Message("not sent: {problem}", problem=sanitize(wrong[0])) if wrong else EMPTY
+            Message("not sent: {problem}", problem=sanitize(wrong[0].text)) if wrong else EMPTY
         )
-
-    def _not_allowed(self, request: Request) -> Message:
-        return joined("", (problem.text for problem in not_allowed(request.commands, self.permissions)))
 
     def give(
         self,
@@ -109,8 +103,8 @@ class Dispatch:
         is called when it was sent, or waits for the first connection, `prepare` just before. One with
         `prepare` or `asks` never waits.
         Returns the reason not to send it, empty if it was sent or the question is open."""
-        if refusal := self._not_allowed(request) or self._backend.refusal:
-            return refusal
+        if self._backend.refusal:
+            return self.objection(request)
         if prepare is not None or asks:
             return self._give_now(request, sent, prepare, asks)
         request, left_out = acceptable(self._store.state, request)
@@ -122,7 +116,7 @@ class Dispatch:
         return problem
 
     def _give_able(self, request: Request, sent: Callable[[], None]) -> Message:
-        may_send = (self.permissions.armed or request.only_pauses) and not self.permissions.read_only
+        may_send = not self.permissions.objection(needed_for(request.commands), not request.only_pauses)
         ready = self._startup.hold(self._store.state, request, time.monotonic()) if may_send else request
         if ready != request:
             self._notices.note(Message("waiting for the link"))
@@ -183,17 +177,10 @@ class Dispatch:
         the reason that it, or a part of it, was not sent."""
         return self.objection(request) or self.withdrawn(request, asked) or self._send(request, sent, prepare)
 
-    def _refusal(self) -> Message:
-        """Return the reason to send nothing but pauses now."""
-        if self._backend.refusal or self.permissions.armed:
-            return self._backend.refusal
-        return Message("not sent: this console is not armed: use Arm in the palette (:)")
-
     def _send(self, request: Request, sent: Callable[[], None], prepare: Prepare | None) -> Message:
-        refusal = self._backend.refusal if request.only_pauses else self._refusal()
-        if prepare is not None and (problem := refusal or prepare()):
+        if prepare is not None and (problem := prepare()):
             return problem
-        problem = refusal or self._backend.submit(*request.commands)
+        problem = self._backend.submit(*request.commands)
         now = time.monotonic()
         recent = {given: at for given, at in self.given.items() if now - at < SAME_WITHIN}
         self.given = {**recent, request.commands: now}

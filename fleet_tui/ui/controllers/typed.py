@@ -8,7 +8,7 @@ from typing import Protocol
 from fleet_tui.commands.checks import acceptable, not_accepted
 from fleet_tui.commands.language.completion import complete, is_command
 from fleet_tui.commands.language.grammar import parse
-from fleet_tui.commands.rights import not_allowed
+from fleet_tui.commands.rights import needed_for
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.problem import Permissions
 from fleet_tui.model.request import Request
@@ -58,8 +58,8 @@ def typed(
         request = parse(line, state, selected)
     except CommandError as problem:
         return Typed(completed=completed, problem=sanitize(message_of(problem)))
-    if refused := not_allowed(request.commands, allowed):
-        return Typed(problem=refused[0].text)
+    if refusal := allowed.refusal(needed_for(request.commands)):
+        return Typed(problem=refusal)
     if impossible := not_accepted(state, acceptable(state, request)[0].commands):
         return Typed(completed=completed, problem=sanitize(impossible[0].text))
     return Typed([(verbatim(request_text(state, request)), partial(do, request))], completed)

@@ -5,7 +5,7 @@ from typing import ClassVar
 
 from rich.segment import Segment
 from rich.style import Style
-from textual.geometry import Region
+from textual.geometry import Region, Size
 from textual.strip import Strip
 from textual.widget import Widget
 
@@ -31,6 +31,11 @@ class RunsView(Widget):
         self._cursor_styles = _by_number({})
         self._rows: Sequence[Sequence[Run]] = []
         self.strips: list[Strip] = []
+
+    @property
+    def size(self) -> Size:
+        """Return its cells. Textual looks up border, padding and scrollbars each time: it has none."""
+        return self.region.size
 
     def set_role_styles(self, styles: Mapping[StyleRole, Style]) -> None:
         """Change the theme: the style of every role, at once."""
