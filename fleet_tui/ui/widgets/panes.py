@@ -71,7 +71,7 @@ class Panes(Container):
         self._queue_lines = 0
         self._page_pace = Pace(0.5)
         self._recent_pace = Pace(1.0)
-        self._fleet: Table | None = None
+        self._shown: Sequence[Table] = ()
         self._shape = USUAL_SHAPE
         self._wanted = (Wanted(0, 0, 0), 0)
         self._shared_out: object = None
@@ -126,17 +126,15 @@ class Panes(Container):
             return  # the console ends
         self._wanted = Wanted(*(table.lines for table in tables)), covered
         self.share_out()
-        fleet, alarms, queue = tables
-        if fleet is not self._fleet:
-            self._fleet = fleet
-            self.fleet.show(fleet)
-        self.alarms.show(alarms)
-        self.queue.show(queue)
+        for pane, table in zip(self.tables, tables, strict=True):
+            if not any(table is shown for shown in self._shown):
+                pane.show(table)
+        self._shown = tables
         if self.page.size.height and self._page_pace.is_due((robot, self.page.size)):
             self.page.show(page(robot, self.page.row_width))
         if self.recent.size.height and self._recent_pace.is_due(self.recent.size):
             self.recent.show(recent(self.recent.size.height - 1, self.recent.row_width))
-        self.activity.look(state, [key for key in fleet.keys if isinstance(key, str)])
+        self.activity.look(state, [key for key in tables[0].keys if isinstance(key, str)])
 
     def show_map(self, view: "MapView", scene: "Scene") -> None:
         """Show a scene on the map, which is drawn once its height is that for its floor."""
