@@ -132,10 +132,13 @@ def table_of(
     for item in wanted:
         entries.append(item)
         entries += below(item)
+    said = arrangement.no_match if items else empty
+    if entries and not wanted:  # with rows above, what is said in the place of the others is one, too
+        entries.append(Row(None, ((said, StyleRole.DIM),)))
     return Table(
         (*title, *arrangement.notes(len(wanted))),
         rows_of(shown, entries, key),
-        arrangement.no_match if items else empty,
+        said,
         head=shown.head,
         unfiltered=len(items),
         stays=shown.stays,
