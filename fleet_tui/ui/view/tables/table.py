@@ -24,13 +24,15 @@ class Button(Struct, frozen=True):
 
 class Row(Struct, frozen=True):
     """One row. `key` identifies it, so that the cursor stays with it when rows move. A long one may go on
-    below from its run `start` on, before which so many blanks were left out."""
+    below from its run `start` on, before which so many blanks were left out. One that shows a part of a
+    text has the `whole` of it for copies."""
 
     key: Hashable
     runs: tuple[Run, ...]
     buttons: tuple[Button, ...] = ()
     start: int = 0
     blanks: int = 0
+    whole: str = ""
 
 
 class LateRows(Sequence[Row]):
