@@ -136,7 +136,7 @@ class FilterLine(Overlay):
         self._pane: RowsPane | None = None
         self._typed_at = -math.inf
         self._pace = Pace(ALL_EVERY)
-        keys = {**row_keys(self._move), "enter": self._keep, "escape": self.action_close}
+        keys = {**row_keys(self), "enter": self._keep, "escape": self.action_close}
         self._field = Field(keys, id="filter-text")
         self._title = Label(id="filter-name", markup=False)
 
@@ -174,7 +174,12 @@ class FilterLine(Overlay):
         hundreds of robots takes the time of a frame."""
         return self.is_open and time.monotonic() - self._typed_at < PAUSE and not self._pace.is_due()
 
-    def _move(self, step: int) -> None:
+    @property
+    def page(self) -> int:
+        return self._pane.page if self._pane is not None else 0
+
+    def move(self, step: int) -> None:
+        """Move the cursor of the table, as it is filtered by what is typed."""
         self._apply(self._field.value)
         if self._pane is not None:
             self._pane.move(step)

@@ -30,6 +30,8 @@ class Listing:
         self.marks: dict[Hashable, Hashable] = {}
         """Keys of the marked rows, by what identifies them while rows move."""
         self._table = Table((), ())
+        self.page = 1
+        """The rows in view."""
         self._top = 0
         self._slid = 0
         self._place = 0
@@ -101,6 +103,7 @@ class Listing:
         head = [self._head(width)] if has_head else []
         self._first = 1 + len(head)
         rows = max(0, height - self._first)
+        self.page = max(1, rows)
         # The cursor's row stays visible, and no line is wasted at the end.
         self._top = max(0, min(self._top, self._place, len(self._table.rows) - rows))
         self._top = max(self._top, self._place - rows + 1, 0)
