@@ -35,7 +35,6 @@ class Programs(ReturningOverlay, TableOverlay):
         self._log_of = ""
         self._tail = LogTail()
         self._following: asyncio.Task[None] | None = None
-        self._end: Hashable = None
 
     def show(self) -> None:
         """Open on the list."""
@@ -47,7 +46,6 @@ class Programs(ReturningOverlay, TableOverlay):
         program, status = self._watch.programs[name], self._watch.rows[name].status
         has_systemd = status is None or status.has_systemd
         self._log_of = name
-        self._end = None
         self._tail = LogTail()
         self._following = asyncio.ensure_future(
             self._tail.follow(log(program, self._watch.folder, has_systemd))
@@ -99,21 +97,13 @@ class Programs(ReturningOverlay, TableOverlay):
         """Show the current rows."""
         now = time.monotonic()
         if self._log_of:
-            self._show_log()
+            lines, said = tuple(self._tail.lines), self._tail.note
+            self.rows.show(log_table(self._log_of, lines, said, self.rows.arrangement))
         else:
             rows = list(self._watch.rows.values())
             self.rows.show(program_table(rows, since_text, now, self.rows.row_width, self.rows.arrangement))
         marked = self._watch.rows.get(str(self.rows.listing.cursor))
         self.note(translate(note(marked, now)) if marked is not None else "")
-
-    def _show_log(self) -> None:
-        table = log_table(self._log_of, tuple(self._tail.lines), self._tail.note, self.rows.arrangement)
-        keys, listing = table.keys, self.rows.listing
-        # At the end of the log, the cursor stays at the end.
-        if keys and listing.cursor in (None, self._end):
-            listing.cursor = keys[-1]
-        self._end = keys[-1] if keys else None
-        self.rows.show(table)
 
     def on_unmount(self) -> None:
         """End every process that looks."""

@@ -122,6 +122,7 @@ def table_of(
     above: Iterable[Row] = (),
     below: Callable[[Item], Iterable[Row]] = lambda _: (),
     empty: str = "",
+    is_followed: bool = False,
 ) -> Table:
     """Return items as rows of `width` cells with their keys, as arranged; `above` are rows before all,
     `below` those of an opened one. `empty` is shown if there are no items."""
@@ -142,4 +143,5 @@ def table_of(
         head=shown.head,
         unfiltered=len(items),
         stays=shown.stays,
+        is_followed=is_followed,
     )

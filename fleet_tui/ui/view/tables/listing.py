@@ -43,8 +43,10 @@ class Listing:
     def show(self, table: Table) -> None:
         """Show the newest rows. If the cursor's row is gone, it moves to the one now in its place, or to the
         next above that can have it, else the first."""
-        self._table = table
         keys = table.keys
+        if table.is_followed and keys and self.cursor in (None, *self._table.keys[-1:]):
+            self.cursor = keys[-1]
+        self._table = table
         if self.marks:
             self.marks = {identity(key): key for key in keys if identity(key) in self.marks}
         if self.cursor is not None and self.cursor in keys:

@@ -57,7 +57,8 @@ class LateRows(Sequence[Row]):
 class Table(Struct, frozen=True):
     """A pane at one moment. `head` names the columns; `empty` is shown if there are no rows; `unfiltered` is
     the number of rows without a filter, whose lines it keeps; `has_groups`: some rows are heads of groups.
-    `stays`: cells at the start of each row that do not slide away."""
+    `stays`: cells at the start of each row that do not slide away; `is_followed`: a cursor at its end stays
+    there when rows come."""
 
     title: tuple[Run, ...]
     rows: Sequence[Row]
@@ -67,6 +68,7 @@ class Table(Struct, frozen=True):
     unfiltered: int = 0
     has_groups: bool = False
     stays: int = 0
+    is_followed: bool = False
 
     @property
     def lines(self) -> int:

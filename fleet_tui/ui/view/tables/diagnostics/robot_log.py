@@ -100,4 +100,6 @@ def robot_log_table(
     counts = tr(" /rosout  {count} of {lines} lines, {note}", count=len(found), lines=len(lines), note=note)
     title = (tr("Robot log"), StyleRole.TITLE), (counts, StyleRole.DIM), *down(links)
     empty = tr("no matching line") if lines else translate(NOTHING)
-    return table_of(title, columns, found, id, width, arrangement=arrangement, below=whole, empty=empty)
+    return table_of(
+        title, columns, found, id, width, arrangement=arrangement, below=whole, empty=empty, is_followed=True
+    )
