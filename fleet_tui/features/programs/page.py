@@ -38,7 +38,7 @@ class Programs(ReturningOverlay, TableOverlay):
 
     def show(self) -> None:
         """Open on the list."""
-        self._end_log()
+        self.leave_page()
         self._watch.open()
         self.begin(self.rows)
 
@@ -56,26 +56,20 @@ class Programs(ReturningOverlay, TableOverlay):
         self.look()
 
     def leave_field(self) -> None:
-        if self._log_of:
+        if self.is_on_page:
             self.action_back()
         else:
             super().leave_field()
 
-    def action_back(self) -> None:
-        """Return from a log to the list, from the list to the console."""
-        if not self._log_of:
-            super().action_back()
-            return
+    def leave_page(self) -> None:
+        """Show the list again, and follow no log any more."""
         self._end_log()
-        self.look()
+        super().leave_page()
 
     def _end_log(self) -> None:
-        """Follow no log any more."""
         if self._following is not None:
             self._following.cancel()
             self._following = None
-            self._log_of = ""
-            self.leave_page()
 
     def _choose(self, key: Hashable) -> None:
         if isinstance(key, str):
@@ -87,7 +81,7 @@ class Programs(ReturningOverlay, TableOverlay):
             self._watch.open()
         else:
             self._watch.close()
-            self._end_log()
+            self.leave_page()
         super().tick()
 
     def tick_closed(self) -> bool:
@@ -96,7 +90,7 @@ class Programs(ReturningOverlay, TableOverlay):
     def look(self) -> None:
         """Show the current rows."""
         now = time.monotonic()
-        if self._log_of:
+        if self.is_on_page:
             lines, said = tuple(self._tail.lines), self._tail.note
             self.rows.show(log_table(self._log_of, lines, said, self.rows.arrangement))
         else:
@@ -108,5 +102,4 @@ class Programs(ReturningOverlay, TableOverlay):
     def on_unmount(self) -> None:
         """End every process that looks."""
         self._watch.close()
-        if self._following is not None:
-            self._following.cancel()
+        self._end_log()
