@@ -47,8 +47,10 @@ ROWS: tuple[Key, ...] = (
     Key("row_down", ("down", "j"), Message("Move down one row"), pane=Pane.ROWS),
     Key("column_left", ("left", "h"), Message("Scroll left"), pane=Pane.ROWS),
     Key("column_right", ("right", "l"), Message("Scroll right"), pane=Pane.ROWS),
-    Key("page_up", ("pageup",), Message("Move up ten rows"), pane=Pane.ROWS),
-    Key("page_down", ("pagedown",), Message("Move down ten rows"), pane=Pane.ROWS),
+    Key("page_up", ("pageup",), Message("Move up by the rows in view"), pane=Pane.ROWS),
+    Key("page_down", ("pagedown",), Message("Move down by the rows in view"), pane=Pane.ROWS),
+    Key("first_row", ("home",), Message("Go to the first row"), pane=Pane.ROWS, yields=True, only_live=True),
+    Key("last_row", ("end",), Message("Go to the last row"), pane=Pane.ROWS, yields=True, only_live=True),
     Key("menu", ("enter",), Message("Open the row menu"), pane=Pane.ROWS, hint=Message("menu")),
 )
 """They work in every pane of rows: fleet, alarms, queue, diagnostics."""

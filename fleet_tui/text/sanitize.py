@@ -121,7 +121,7 @@ def without_cells(text: str, start: int, cells: int) -> str:
 
 def folded(text: str, first: int, others: int) -> list[str]:
     """Return a text as lines, at least one, of which the first has other cells than those below it."""
-    if cell_width(text) > len(text):
+    if any(letter_width(letter) > 1 for letter in text):
         first, others = first // 2, others // 2
     first, others = max(1, first), max(1, others)
     width, above, below = max(first, others), " " * (others - first), " " * (first - others)

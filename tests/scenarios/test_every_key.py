@@ -65,7 +65,7 @@ ON_THE_MAP = {
     "pick": "overlay",
 }
 IN_TABLES = {
-    **dict.fromkeys(("row_up", "row_down", "page_up", "page_down"), "row"),
+    **dict.fromkeys(("row_up", "row_down", "page_up", "page_down", "first_row", "last_row"), "row"),
     **dict.fromkeys(("column_left", "column_right"), "slid"),
     "menu": "overlay",
 }
@@ -77,6 +77,7 @@ FIRST: dict[str, tuple[str, ...]] = {
     "centre": ("0", "+", "+", "left"),
     "row_up": ("down",),
     "page_up": ("down",),
+    "first_row": ("down",),
     "column_left": ("right",),
 }
 IN_THE_EDITOR = (

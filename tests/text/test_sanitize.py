@@ -3,7 +3,7 @@
 import unicodedata
 
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 from rich.cells import cell_len
 
@@ -90,6 +90,12 @@ def test_folded_lines_have_all_of_the_text_and_break_no_word_twice(
     assert len(head) <= first and all(len(line) <= others for line in rest)
     assert "".join(lines).replace(" ", "") == "".join(words)
     assert sum(line.count(" ") for line in lines) <= max(0, len(words) - 1), "no space within a word"
+
+
+@given(st.text("a漢\u0301 ", max_size=40), st.integers(2, 30))
+@example("漢漢漢漢 " + "a\u0301\u0301" * 4, 4)
+def test_folded_lines_have_no_more_than_their_cells_beside_marks_either(text: str, cells: int) -> None:
+    assert all(cell_width(line) <= cells for line in folded(text, cells, cells))
 
 
 def test_a_long_word_goes_on_in_the_next_line() -> None:

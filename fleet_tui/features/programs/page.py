@@ -35,11 +35,10 @@ class Programs(ReturningOverlay, TableOverlay):
         self._log_of = ""
         self._tail = LogTail()
         self._following: asyncio.Task[None] | None = None
-        self._end: Hashable = None
 
     def show(self) -> None:
         """Open on the list."""
-        self._end_log()
+        self.leave_page()
         self._watch.open()
         self.begin(self.rows)
 
@@ -47,7 +46,6 @@ class Programs(ReturningOverlay, TableOverlay):
         program, status = self._watch.programs[name], self._watch.rows[name].status
         has_systemd = status is None or status.has_systemd
         self._log_of = name
-        self._end = None
         self._tail = LogTail()
         self._following = asyncio.ensure_future(
             self._tail.follow(log(program, self._watch.folder, has_systemd))
@@ -58,26 +56,20 @@ class Programs(ReturningOverlay, TableOverlay):
         self.look()
 
     def leave_field(self) -> None:
-        if self._log_of:
+        if self.is_on_page:
             self.action_back()
         else:
             super().leave_field()
 
-    def action_back(self) -> None:
-        """Return from a log to the list, from the list to the console."""
-        if not self._log_of:
-            super().action_back()
-            return
+    def leave_page(self) -> None:
+        """Show the list again, and follow no log any more."""
         self._end_log()
-        self.look()
+        super().leave_page()
 
     def _end_log(self) -> None:
-        """Follow no log any more."""
         if self._following is not None:
             self._following.cancel()
             self._following = None
-            self._log_of = ""
-            self.leave_page()
 
     def _choose(self, key: Hashable) -> None:
         if isinstance(key, str):
@@ -89,7 +81,7 @@ class Programs(ReturningOverlay, TableOverlay):
             self._watch.open()
         else:
             self._watch.close()
-            self._end_log()
+            self.leave_page()
         super().tick()
 
     def tick_closed(self) -> bool:
@@ -98,25 +90,16 @@ class Programs(ReturningOverlay, TableOverlay):
     def look(self) -> None:
         """Show the current rows."""
         now = time.monotonic()
-        if self._log_of:
-            self._show_log()
+        if self.is_on_page:
+            lines, said = tuple(self._tail.lines), self._tail.note
+            self.rows.show(log_table(self._log_of, lines, said, self.rows.arrangement))
         else:
             rows = list(self._watch.rows.values())
             self.rows.show(program_table(rows, since_text, now, self.rows.row_width, self.rows.arrangement))
         marked = self._watch.rows.get(str(self.rows.listing.cursor))
         self.note(translate(note(marked, now)) if marked is not None else "")
 
-    def _show_log(self) -> None:
-        table = log_table(self._log_of, tuple(self._tail.lines), self._tail.note, self.rows.arrangement)
-        keys, listing = table.keys, self.rows.listing
-        # At the end of the log, the cursor stays at the end.
-        if keys and listing.cursor in (None, self._end):
-            listing.cursor = keys[-1]
-        self._end = keys[-1] if keys else None
-        self.rows.show(table)
-
     def on_unmount(self) -> None:
         """End every process that looks."""
         self._watch.close()
-        if self._following is not None:
-            self._following.cancel()
+        self._end_log()

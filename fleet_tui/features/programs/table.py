@@ -114,4 +114,5 @@ def log_table(
     if note:
         title.append((f"  {translate(sanitize(note))}", StyleRole.WARN))
     empty = translate(sanitize(note)) or tr("no line yet")
-    return table_of(title, _LINE, lines, itemgetter(0), arrangement=arrangement, empty=empty)
+    key = itemgetter(0)
+    return table_of(title, _LINE, lines, key, arrangement=arrangement, empty=empty, is_followed=True)

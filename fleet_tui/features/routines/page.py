@@ -11,7 +11,7 @@ from fleet_tui.features.routines.led import LedRoutines
 from fleet_tui.features.routines.look import RoutinePlace
 from fleet_tui.features.routines.requests import RoutineRequests
 from fleet_tui.features.routines.table import routine_table, text_table
-from fleet_tui.text.language import Message
+from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.ui.controllers.console import Console
 from fleet_tui.ui.controllers.local_time import since_text
 from fleet_tui.ui.screens.overlay import ReturningOverlay
@@ -37,12 +37,12 @@ class Routines(ReturningOverlay, TableOverlay):
         self._led = LedRoutines(self._place, console)
         self._requests = RoutineRequests(self._place, console, self._led)
         self._ask = console.ask
-        self._text: tuple[Message, Sequence[str]] | None = None
+        self._text: tuple[Message, Sequence[str]] = EMPTY, ()
         self._looked = 0.0
 
     def show(self) -> None:
         """Open on the list."""
-        self._end_text()
+        self.leave_page()
         self._looked = 0.0
         self._requests.tick()
         self.begin(self.rows)
@@ -52,19 +52,6 @@ class Routines(ReturningOverlay, TableOverlay):
         self._text = title, lines
         self.open(self.rows)
         self.enter_page()
-        self.look()
-
-    def _end_text(self) -> None:
-        if self._text is not None:
-            self._text = None
-            self.leave_page()
-
-    def action_back(self) -> None:
-        """Return from a text to the list, from the list to the console."""
-        if self._text is None:
-            super().action_back()
-            return
-        self._end_text()
         self.look()
 
     def _choose(self, key: Hashable) -> None:
@@ -87,7 +74,7 @@ class Routines(ReturningOverlay, TableOverlay):
         if time.monotonic() - self._looked > LOOK_EVERY:
             self._looked = time.monotonic()
             self._requests.look()
-        if self._text is not None:
+        if self.is_on_page:
             table = text_table(*self._text, arrangement=self.rows.arrangement)
         else:
             shown = self._requests.rows, str(self._place.folder), since_text

@@ -14,7 +14,7 @@ from fleet_tui.ui.view.help.layout import help_lines
 from fleet_tui.ui.view.help.pages import Pages, tabs
 from fleet_tui.ui.view.help.section import HelpRow, HelpSection, search
 from fleet_tui.ui.view.roles import StyleRole
-from fleet_tui.ui.widgets.field import Field, Keys
+from fleet_tui.ui.widgets.field import Field, Keys, row_keys
 from fleet_tui.ui.widgets.line_view import LineView
 from fleet_tui.ui.widgets.messages import ButtonPressed
 from fleet_tui.ui.widgets.text_view import TextView
@@ -54,13 +54,10 @@ class Help(Overlay):
     def compose(self) -> ComposeResult:
         """Compose a search field and the names of the pages above the text."""
         keys: Keys = {
+            **row_keys(self._text),
             "escape": self.action_close,
             "tab": partial(self._step, 1),
             "shift+tab": partial(self._step, -1),
-            "up": partial(self._text.scroll_lines, -1),
-            "down": partial(self._text.scroll_lines, 1),
-            "pageup": partial(self._text.scroll_pages, -1),
-            "pagedown": partial(self._text.scroll_pages, 1),
         }
         self.border_title = Content(tr("Help"))
         yield Field(

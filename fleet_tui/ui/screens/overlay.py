@@ -40,6 +40,11 @@ class Overlay(Vertical):
     def is_open(self) -> bool:
         return self.display
 
+    @property
+    def beneath(self) -> Widget | None:
+        """Return what had the focus before any overlay was opened."""
+        return self._before
+
     def on_mount(self) -> None:
         """Hide until opened. Not by a CSS class: that would restyle all its children at each change."""
         self.display = False
@@ -48,7 +53,7 @@ class Overlay(Vertical):
         """Show it with the focus on `first`."""
         others = [other for other in self.screen.query(Overlay) if other.is_open and other is not self]
         if others:
-            self._before = others[0]._before
+            self._before = others[0].beneath
         elif not self.is_open:
             self._before = self.screen.focused
         for other in others:
@@ -72,6 +77,12 @@ class Dialog(Overlay):
     """A menu or a question, over the console or over another overlay."""
 
     _below: ReturningOverlay | None = None
+
+    @property
+    def beneath(self) -> Widget | None:
+        if self._below is not None and self._below.is_below:
+            return self._below.beneath
+        return self._before
 
     def open(self, first: Widget) -> None:
         """Show it with the focus on `first`."""

@@ -36,6 +36,8 @@ SCROLLING = (
     Binding("up,k", "scroll_up", show=False),
     Binding("pagedown", "page_down", show=False),
     Binding("pageup", "page_up", show=False),
+    Binding("home", "scroll_home", show=False),
+    Binding("end", "scroll_end", show=False),
 )
 """Keys that reach the reasons which a small screen has no lines for."""
 

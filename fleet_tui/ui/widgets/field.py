@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Mapping
 from functools import partial
+from typing import Protocol
 
 from textual import events
 from textual.geometry import Size
@@ -14,10 +15,24 @@ from fleet_tui.text.sanitize import sanitize
 Keys = Mapping[str, Callable[[], object]]
 
 
-def row_keys(move: Callable[[int], object]) -> Keys:
-    """Return the keys with which a field that has the focus moves the cursor of rows."""
-    steps = {"up": -1, "down": 1, "pageup": -10, "pagedown": 10}
-    return {key: partial(move, step) for key, step in steps.items()}
+class Paged(Protocol):
+    """Rows or lines, of which `page` are in view."""
+
+    @property
+    def page(self) -> int: ...
+
+    def move(self, step: int) -> None:
+        """Move by rows, at most to the first or last one."""
+
+
+def row_keys(rows: Paged) -> Mapping[str, Callable[[], None]]:
+    """Return the keys with which a field that has the focus moves in rows."""
+    return {
+        "up": partial(rows.move, -1),
+        "down": partial(rows.move, 1),
+        "pageup": lambda: rows.move(-rows.page),
+        "pagedown": lambda: rows.move(rows.page),
+    }
 
 
 class Field(Input):

@@ -14,7 +14,7 @@ class FilterField(Field):
 
     def __init__(self, rows: RowsPane, *, id: str, keys: Keys) -> None:
         self._rows = rows
-        super().__init__({**row_keys(rows.move), "enter": self.leave, **keys}, id=id)
+        super().__init__({**row_keys(rows), "enter": self.leave, **keys}, id=id)
 
     def on_mount(self) -> None:
         """Hide it until it is used."""

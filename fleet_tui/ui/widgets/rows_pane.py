@@ -11,15 +11,16 @@ from fleet_tui.ui.view.tables.arrangement import RowArrangement
 from fleet_tui.ui.view.tables.listing import Listing
 from fleet_tui.ui.view.tables.table import Table
 from fleet_tui.ui.widgets.bindings import bindings
+from fleet_tui.ui.widgets.field import Paged, row_keys
 from fleet_tui.ui.widgets.messages import ButtonPressed, RowChosen, RowPicked
 from fleet_tui.ui.widgets.runs_view import RunsView
 
+ALL = 10**9
+"""Rows: more than there are."""
 
-class Scrolled(Protocol):
+
+class Scrolled(Paged, Protocol):
     """What the keys of tables move in."""
-
-    def move(self, step: int) -> None:
-        """Move the cursor by rows."""
 
     def slide(self, step: int) -> None:
         """Slide long rows to the left or right."""
@@ -30,13 +31,16 @@ class Scrolled(Protocol):
 
 def row_actions(rows: Scrolled) -> dict[str, Callable[[], None]]:
     """Return the actions of the keys of tables."""
+    steps = row_keys(rows)
     return {
-        "row_up": partial(rows.move, -1),
-        "row_down": partial(rows.move, 1),
+        "row_up": steps["up"],
+        "row_down": steps["down"],
         "column_left": partial(rows.slide, -1),
         "column_right": partial(rows.slide, 1),
-        "page_up": partial(rows.move, -10),
-        "page_down": partial(rows.move, 10),
+        "page_up": steps["pageup"],
+        "page_down": steps["pagedown"],
+        "first_row": partial(rows.move, -ALL),
+        "last_row": partial(rows.move, ALL),
         "menu": rows.open_menu,
     }
 
@@ -77,6 +81,14 @@ class RowsPane(RunsView, can_focus=True):
     def action_key(self, id_: str) -> None:
         """Run the action of a key of tables."""
         row_actions(self)[id_]()
+
+    def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:
+        """Leave keys to the screen that are others there, as while a recording is played."""
+        return self.screen.check_action(action, parameters)
+
+    @property
+    def page(self) -> int:
+        return self.listing.page
 
     def move(self, step: int) -> None:
         """Move the cursor up or down, and report it."""

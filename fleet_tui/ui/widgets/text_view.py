@@ -25,14 +25,14 @@ class TextView(RunsView):
         self._top = 0
         self.draw()
 
-    def scroll_lines(self, step: int) -> None:
+    def move(self, step: int) -> None:
         """Scroll up or down."""
         self._top += step
         self.draw()
 
-    def scroll_pages(self, step: int) -> None:
-        """Scroll up or down by the visible lines."""
-        self.scroll_lines(step * self.size.height)
+    @property
+    def page(self) -> int:
+        return self.size.height
 
     def draw(self) -> None:
         """Paint the visible lines."""
@@ -56,7 +56,7 @@ class TextView(RunsView):
     def scroll_by_wheel(self, event: events.MouseScrollUp | events.MouseScrollDown) -> None:
         """Scroll by three lines."""
         event.stop()
-        self.scroll_lines(3 if isinstance(event, events.MouseScrollDown) else -3)
+        self.move(3 if isinstance(event, events.MouseScrollDown) else -3)
 
     def on_resize(self) -> None:
         """Paint for the new size."""

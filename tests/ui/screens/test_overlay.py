@@ -33,6 +33,15 @@ async def test_a_dialog_over_a_list_gives_it_back_and_over_nothing_the_map() -> 
         assert not programs.is_open and rest.map.has_focus
 
 
+async def test_help_in_the_place_of_a_dialog_over_a_list_leaves_no_focus_in_what_is_hidden() -> None:
+    async with planted() as it:
+        rest, programs = it.app.main.features, it.app.main.query_one(Programs)
+        await it.press("J")
+        rest.confirm.ask(lambda: verbatim("Really?"), lambda: None)
+        await it.press("f1", "escape")
+        assert it.app.main.focused is rest.map and not programs.is_open
+
+
 async def test_every_overlay_has_its_title_in_its_border() -> None:
     async with planted(2) as it:
         it.fleet.world.robots["robot_1"].paused = True

@@ -35,7 +35,9 @@ async def test_it_is_there_while_it_is_used_and_the_rows_move_meanwhile() -> Non
         assert not app.field.display
         app.field.begin()
         await pilot.press("a", "down", "down", "pagedown", "up")
-        assert app.field.display and app.typed == ["a"] and app.rows.listing.cursor == 11
+        in_view = app.rows.size.height - 1
+        assert 1 < in_view < 29, "there is more than is in view"
+        assert app.field.display and app.typed == ["a"] and app.rows.listing.cursor == 1 + in_view
         with pytest.raises(SkipAction):
             app.field.begin()
         await pilot.press("enter")
@@ -43,6 +45,16 @@ async def test_it_is_there_while_it_is_used_and_the_rows_move_meanwhile() -> Non
         app.field.begin()
         await pilot.press("escape")
         assert app.screen.focused is app.rows and not app.field.display and app.typed == ["a", ""]
+
+
+async def test_keys_of_rows_move_by_those_in_view_and_to_both_ends() -> None:
+    app = Filtered()
+    async with app.run_test() as pilot:
+        app.rows.show(Table((), [Row(n, ((str(n), StyleRole.TEXT),)) for n in range(100)]))
+        in_view = app.rows.size.height - 1
+        for key, row in (("pagedown", in_view), ("end", 99), ("pageup", 99 - in_view), ("home", 0)):
+            await pilot.press(key)
+            assert app.rows.listing.cursor == row
 
 
 async def test_a_text_that_is_put_tells_nobody() -> None:

@@ -30,13 +30,13 @@ async def test_text_is_scrolled_to_its_ends_and_no_further() -> None:
     async with reader.run_test() as pilot:
         reader.text.show(lambda width: [((f"line {n}", StyleRole.TEXT),) for n in range(10)])
         assert (first(reader), reader.positions[-1]) == ("line 0", "1-4 of 10, PgUp PgDn")
-        reader.text.scroll_pages(1)
+        reader.text.move(reader.text.page)
         assert first(reader) == "line 4"
-        reader.text.scroll_lines(-1)
+        reader.text.move(-1)
         assert first(reader) == "line 3"
-        reader.text.scroll_pages(2)
+        reader.text.move(2 * reader.text.page)
         assert (first(reader), reader.positions[-1]) == ("line 6", "7-10 of 10, PgUp PgDn")
-        reader.text.scroll_lines(-99)
+        reader.text.move(-99)
         assert first(reader) == "line 0"
         await pilot._post_mouse_events([events.MouseScrollDown], "#text")
         assert first(reader) == "line 3"

@@ -147,7 +147,6 @@ class Diagnostics(PagedOverlay):
         self._keys = keys
         self._controls = DiagnosticsControls(self, pages)
         self.actions = self._controls.actions
-        self._end: Hashable = None
         super().__init__("diagnostics", self._controls.choose, EVERY, self._controls.say)
 
     def show(self, robot: str, cause: Reason | None = None) -> None:
@@ -174,11 +173,7 @@ class Diagnostics(PagedOverlay):
         self._pages.width = self.rows.row_width
         table = self._pages.table(page, self._budget)
         keys = table.keys
-        # At the end of the log, the cursor stays at the end.
-        if page is Page.LOG and keys and listing.cursor in (None, self._end):
-            listing.cursor = keys[-1]
-        self._end = keys[-1] if keys else None
-        if listing.cursor is None and keys:
+        if listing.cursor is None and keys and not table.is_followed:
             listing.cursor = keys[0]
         self.rows.show(table)
         if self.beside.display:

@@ -207,7 +207,11 @@ class RobotPage(ReturningOverlay, RobotOverlay, can_focus=True):
 
     def move(self, step: int) -> None:
         """Scroll up or down."""
-        self._text.scroll_lines(step)
+        self._text.move(step)
+
+    @property
+    def page(self) -> int:
+        return self._text.page
 
     def slide(self, step: int) -> None:
         """Do nothing: lines have the width of the screen."""

@@ -104,10 +104,15 @@ class TableOverlay(Overlay):
         self.rows.arrangement, self.rows.listing = RowArrangement(), Listing()
         self.put_filter("")
 
+    @property
+    def is_on_page(self) -> bool:
+        return self.rows.listing is not self._list[1]
+
     def leave_page(self) -> None:
         """Show the list again, as it was."""
-        self.rows.arrangement, self.rows.listing = self._list
-        self.put_filter(self.rows.arrangement.typed)
+        if self.is_on_page:
+            self.rows.arrangement, self.rows.listing = self._list
+            self.put_filter(self.rows.arrangement.typed)
 
     def field_keys(self) -> Keys:
         """Return the keys of the field beside those that move the cursor."""
@@ -123,8 +128,11 @@ class TableOverlay(Overlay):
         return copied_rows(self.rows.listing)
 
     def action_back(self) -> None:
-        """Clear the filter, or close."""
-        if self.rows.arrangement.typed:
+        """Return to the list, else clear the filter, or close."""
+        if self.is_on_page:
+            self.leave_page()
+            self.look()
+        elif self.rows.arrangement.typed:
             self.put_filter("")
             self.look()
         else:

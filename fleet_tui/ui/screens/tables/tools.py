@@ -80,12 +80,12 @@ class TableTools:
         for table in (self._table, *self._panes.tables):
             if table.arrangement.typed:
                 table.arrangement.typed = ""
-            elif table.listing.marks:
+                self._rows.show(table)
+                return True
+            if table.listing.marks:
                 table.listing.marks.clear()
-            else:
-                continue
-            self._rows.show(table)
-            return True
+                self._renew(table)
+                return True
         return False
 
     def _filter(self) -> None:
@@ -96,7 +96,7 @@ class TableTools:
 
     def _sort(self) -> None:
         self._table.arrangement.next_column()
-        self._rows.show(self._table)
+        self._renew(self._table)
 
     def _group(self) -> None:
         fleet = self._panes.fleet
@@ -106,21 +106,24 @@ class TableTools:
 
     def fold(self, head: GroupHead) -> None:
         """Fold a group of the fleet, or unfold it; the cursor stays on it."""
-        fleet = self._panes.fleet
-        fleet.arrangement.groups.fold(head)
-        fleet.show(self._rows.of(fleet))
+        self._panes.fleet.arrangement.groups.fold(head)
+        self._renew(self._panes.fleet)
+
+    def _renew(self, table: RowsPane) -> None:
+        """Show the newest rows; the cursor stays, on the head of a group, too."""
+        table.show(self._rows.of(table))
 
     def _mark(self) -> None:
         if isinstance(self._table.listing.cursor, GroupHead):
             self._console.notices.say(Message("a group can't be marked: mark its robots"))
             return
         self._table.listing.toggle_mark()
-        self._rows.show(self._table)
+        self._renew(self._table)
 
     def _unmark(self) -> None:
         for table in self._panes.tables:
             table.listing.marks.clear()
-            self._rows.show(table)
+            self._renew(table)
 
     def _copy(self) -> None:
         copy(self._panes, *copied_rows(self._table.listing), self._console.notices.say)
@@ -136,7 +139,7 @@ class FilterLine(Overlay):
         self._pane: RowsPane | None = None
         self._typed_at = -math.inf
         self._pace = Pace(ALL_EVERY)
-        keys = {**row_keys(self._move), "enter": self._keep, "escape": self.action_close}
+        keys = {**row_keys(self), "enter": self._keep, "escape": self.action_close}
         self._field = Field(keys, id="filter-text")
         self._title = Label(id="filter-name", markup=False)
 
@@ -174,7 +177,12 @@ class FilterLine(Overlay):
         hundreds of robots takes the time of a frame."""
         return self.is_open and time.monotonic() - self._typed_at < PAUSE and not self._pace.is_due()
 
-    def _move(self, step: int) -> None:
+    @property
+    def page(self) -> int:
+        return self._pane.page if self._pane is not None else 0
+
+    def move(self, step: int) -> None:
+        """Move the cursor of the table, as it is filtered by what is typed."""
         self._apply(self._field.value)
         if self._pane is not None:
             self._pane.move(step)

@@ -122,6 +122,7 @@ def table_of(
     above: Iterable[Row] = (),
     below: Callable[[Item], Iterable[Row]] = lambda _: (),
     empty: str = "",
+    is_followed: bool = False,
 ) -> Table:
     """Return items as rows of `width` cells with their keys, as arranged; `above` are rows before all,
     `below` those of an opened one. `empty` is shown if there are no items."""
@@ -132,11 +133,15 @@ def table_of(
     for item in wanted:
         entries.append(item)
         entries += below(item)
+    said = arrangement.no_match if items else empty
+    if entries and not wanted:  # with rows above, what is said in the place of the others is one, too
+        entries.append(Row(None, ((said, StyleRole.DIM),)))
     return Table(
         (*title, *arrangement.notes(len(wanted))),
         rows_of(shown, entries, key),
-        arrangement.no_match if items else empty,
+        said,
         head=shown.head,
         unfiltered=len(items),
         stays=shown.stays,
+        is_followed=is_followed,
     )

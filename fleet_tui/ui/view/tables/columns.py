@@ -173,7 +173,7 @@ class FittedColumns(Generic[Item]):
         cause."""
         row = replace(self.row(item, key), blanks=0)
         for n, line in enumerate(continued(row, self._width, aligned=False)):
-            yield Row(None if n else key, tuple(line))
+            yield Row(None if n else key, tuple(line), whole=_text(row.runs).strip())
 
 
 def _cells(one: Column[Item], items: Sequence[Item]) -> int | None:

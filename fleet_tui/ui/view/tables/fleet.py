@@ -21,7 +21,7 @@ from fleet_tui.text.sanitize import cell_width, fit, fit_words
 from fleet_tui.text.units import age
 from fleet_tui.ui.view.roles import StyleRole
 from fleet_tui.ui.view.tables.arrangement import RowArrangement
-from fleet_tui.ui.view.tables.columns import Column, FittedColumns
+from fleet_tui.ui.view.tables.columns import GAP, Column, FittedColumns
 from fleet_tui.ui.view.tables.doing import (
     CALM,
     ODD,
@@ -69,7 +69,6 @@ WITH_WORD = 23
 WHOLE_ROUTES = 26
 """Cells of the last column from which orders without a column of their own have the word that their robot
 drives, and their start, too."""
-_GAP: Run = " ", StyleRole.TEXT
 STATE = 19
 WITH_ORDER = 36
 ORDER_MOST = 30
@@ -166,11 +165,11 @@ def _doing(
             order = shorter or order
         # Beside a refused order the current one would read as that.
         order = "" if any(failed_command(state, robot)) else order
-        runs = [*in_cells(texts, of_state), _GAP]
+        runs = [*in_cells(texts, of_state), GAP]
         return tuple(_with_order(runs, order, progress, of_state, does, role))
     placed = _placed(order, shorter, width_of(listed(texts)), cells)
     left = of_state + of_order - cell_width(placed)
-    runs = with_progress([*in_cells(texts, left), _GAP], progress, left)
+    runs = with_progress([*in_cells(texts, left), GAP], progress, left)
     return (placed, role if shown is current else StyleRole.DIM), *runs
 
 

@@ -30,6 +30,8 @@ class Listing:
         self.marks: dict[Hashable, Hashable] = {}
         """Keys of the marked rows, by what identifies them while rows move."""
         self._table = Table((), ())
+        self.page = 1
+        """The rows in view."""
         self._top = 0
         self._slid = 0
         self._place = 0
@@ -41,8 +43,10 @@ class Listing:
     def show(self, table: Table) -> None:
         """Show the newest rows. If the cursor's row is gone, it moves to the one now in its place, or to the
         next above that can have it, else the first."""
-        self._table = table
         keys = table.keys
+        if table.is_followed and keys and self.cursor in (None, *self._table.keys[-1:]):
+            self.cursor = keys[-1]
+        self._table = table
         if self.marks:
             self.marks = {identity(key): key for key in keys if identity(key) in self.marks}
         if self.cursor is not None and self.cursor in keys:
@@ -88,7 +92,8 @@ class Listing:
         """Return the marked rows as lines, else the cursor's, empty without one."""
         marked = [n for n, key in enumerate(self._table.keys) if identity(key) in self.marks]
         rows = [self._table.rows[n] for n in marked or [self._place] if n < len(self._table.rows)]
-        return "\n".join("".join(text for text, _ in row.runs).strip() for row in rows)
+        texts = [row.whole or "".join(text for text, _ in row.runs).strip() for row in rows]
+        return "\n".join(dict.fromkeys(texts) if any(row.whole for row in rows) else texts)
 
     def slide(self, step: int) -> None:
         """Slide long rows to the left or right."""
@@ -100,6 +105,7 @@ class Listing:
         head = [self._head(width)] if has_head else []
         self._first = 1 + len(head)
         rows = max(0, height - self._first)
+        self.page = max(1, rows)
         # The cursor's row stays visible, and no line is wasted at the end.
         self._top = max(0, min(self._top, self._place, len(self._table.rows) - rows))
         self._top = max(self._top, self._place - rows + 1, 0)

@@ -24,13 +24,15 @@ class Button(Struct, frozen=True):
 
 class Row(Struct, frozen=True):
     """One row. `key` identifies it, so that the cursor stays with it when rows move. A long one may go on
-    below from its run `start` on, before which so many blanks were left out."""
+    below from its run `start` on, before which so many blanks were left out. One that shows a part of a
+    text has the `whole` of it for copies."""
 
     key: Hashable
     runs: tuple[Run, ...]
     buttons: tuple[Button, ...] = ()
     start: int = 0
     blanks: int = 0
+    whole: str = ""
 
 
 class LateRows(Sequence[Row]):
@@ -55,7 +57,8 @@ class LateRows(Sequence[Row]):
 class Table(Struct, frozen=True):
     """A pane at one moment. `head` names the columns; `empty` is shown if there are no rows; `unfiltered` is
     the number of rows without a filter, whose lines it keeps; `has_groups`: some rows are heads of groups.
-    `stays`: cells at the start of each row that do not slide away."""
+    `stays`: cells at the start of each row that do not slide away; `is_followed`: a cursor at its end stays
+    there when rows come."""
 
     title: tuple[Run, ...]
     rows: Sequence[Row]
@@ -65,6 +68,7 @@ class Table(Struct, frozen=True):
     unfiltered: int = 0
     has_groups: bool = False
     stays: int = 0
+    is_followed: bool = False
 
     @property
     def lines(self) -> int:

@@ -62,7 +62,14 @@ async def test_it_scrolls_and_says_where_it_is() -> None:
         await it.press("i")
         await it.shows("100 %", TEXT)
         await it.shows("1-12 of ", "robot-page-title")
-        for key, first in (("down", "2-"), ("j", "3-"), ("k", "2-"), ("pagedown", "12-"), ("pageup", "2-")):
+        for key, first in (
+            ("down", "2-"),
+            ("j", "3-"),
+            ("k", "2-"),
+            ("pagedown", "14-"),
+            ("pageup", "2-"),
+            ("home", "1-"),
+        ):
             await it.press(key)
             await it.shows(f" {first}", "robot-page-title")
 

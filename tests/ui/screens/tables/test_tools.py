@@ -5,6 +5,7 @@ import base64
 import pytest
 
 from fleet_tui.model.commands import PauseRobot, ResumeRobot
+from fleet_tui.ui.view.tables.groups import GroupHead
 from tests.support.console_pilot import Console
 from tests.support.planted_console import planted
 
@@ -69,6 +70,24 @@ async def test_the_row_is_copied_as_it_reads(monkeypatch: pytest.MonkeyPatch) ->
         (sequence,) = written
         copied = base64.b64decode(sequence.removeprefix("\x1b]52;c;").removesuffix("\x07")).decode()
         assert "robot_1" in copied and copied.strip() == copied
+
+
+async def test_the_cursor_stays_on_the_head_of_a_group_whatever_is_done_with_marks() -> None:
+    async with planted(3, 2) as it:
+        await it.until(
+            lambda state: {robot.floor for robot in state.robots.values()} >= {"floor_0", "floor_1"}
+        )
+        listing = it.app.main.fleet.listing
+        await it.press("tab", "Z", "space", "home")
+        head = listing.cursor
+        assert isinstance(head, GroupHead) and listing.marks
+        await it.press("escape")
+        assert not listing.marks and listing.cursor == head
+        await it.press("S")
+        assert listing.cursor == head
+        await it.press("S", "down", "space", "home", "p")
+        await it.shows("pause: confirmed")
+        assert not listing.marks and listing.cursor == head
 
 
 async def test_groups_fold_on_enter_and_are_no_robots() -> None:

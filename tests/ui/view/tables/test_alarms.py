@@ -215,6 +215,10 @@ def test_of_a_few_alarms_the_marked_one_has_its_whole_text() -> None:
     rows = alarm_table(lost, clock, 38, marked=keys[place]).rows
     assert [row.key for row in rows[place : place + 2]] == [keys[place], None]
     assert "again" in text_of(rows[place + 1].runs)
+    listing = Listing()
+    listing.choose(keys[place])
+    listing.show(alarm_table(lost, clock, 38, marked=keys[place]))
+    assert reason in listing.text, "copied whole, though the row has its beginning alone"
     rows = alarm_table(lost, clock, 38, marked=keys[1 - place]).rows
     assert not any("again" in text_of(row.runs) for row in rows if row.key is None)
 

@@ -31,6 +31,16 @@ def test_the_cursor_stays_with_its_row_and_goes_to_the_next_where_that_is_gone()
     assert listing.cursor is None and not listing.move(1)
 
 
+def test_a_cursor_at_the_end_of_a_log_stays_there_and_anywhere_else_with_its_row() -> None:
+    listing = Listing()
+    for rows, cursor in (("ab", "b"), ("abc", "c"), ("bcd", "d")):
+        listing.show(msgspec.structs.replace(table(*rows), is_followed=True))
+        assert listing.cursor == cursor
+    listing.move(-1)
+    listing.show(msgspec.structs.replace(table(*"bcde"), is_followed=True))
+    assert listing.cursor == "c"
+
+
 def test_the_cursor_never_stays_on_a_row_that_has_none() -> None:
     listing = Listing()
     listing.show(table("a", "b"))

@@ -1,6 +1,6 @@
 """The log of the robots, newest last, filtered by level and text."""
 
-from collections.abc import Callable, Collection, Hashable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Hashable, Iterator, Sequence
 
 from fleet_tui.model.counters import snapshot
 from fleet_tui.model.fleet import FleetState
@@ -48,12 +48,6 @@ def _text(line: LogLine) -> Run:
     return line.text, StyleRole.ALARM if _level(line)[1] is StyleRole.ALARM else StyleRole.TEXT
 
 
-def _wrapped(line: LogLine, width: int) -> Iterator[str]:
-    """Yield the whole message in lines of at most `width` cells."""
-    for part in line.text.splitlines():
-        yield from folded(sanitize(part), width - INDENT, width - INDENT)
-
-
 def robot_log_table(
     lines: tuple[LogLine, ...],
     links: Links,
@@ -70,9 +64,14 @@ def robot_log_table(
     found = [line for line in lines if (line.severity or Severity.FATAL) >= least]
     offset = state.wall - state.now
 
-    def whole(line: LogLine) -> Iterable[Row]:
-        parts = _wrapped(line, width) if id(line) in opened else ()
-        return (Row((id(line), n), ((" " * INDENT + text, StyleRole.TEXT),)) for n, text in enumerate(parts))
+    def whole(line: LogLine) -> Iterator[Row]:
+        if id(line) not in opened:
+            return
+        parts = [sanitize(part) for part in line.text.splitlines()]
+        folded_parts = [text for part in parts for text in folded(part, width - INDENT, width - INDENT)]
+        for n, text in enumerate(folded_parts):
+            shown = (" " * INDENT + text, StyleRole.TEXT)
+            yield Row((id(line), n), (shown,), whole="\n".join(parts))
 
     time = cell_width(clock(state.wall))
     columns: Sequence[Column[LogLine]] = (
@@ -101,4 +100,6 @@ def robot_log_table(
     counts = tr(" /rosout  {count} of {lines} lines, {note}", count=len(found), lines=len(lines), note=note)
     title = (tr("Robot log"), StyleRole.TITLE), (counts, StyleRole.DIM), *down(links)
     empty = tr("no matching line") if lines else translate(NOTHING)
-    return table_of(title, columns, found, id, width, arrangement=arrangement, below=whole, empty=empty)
+    return table_of(
+        title, columns, found, id, width, arrangement=arrangement, below=whole, empty=empty, is_followed=True
+    )

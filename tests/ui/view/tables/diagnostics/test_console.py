@@ -16,3 +16,7 @@ def test_the_console_on_itself() -> None:
     arrangement = RowArrangement()
     arrangement.typed = "TW"
     assert text(console_table(facts, ["one", "two"], arrangement=arrangement))[7:] == ["two"]
+    arrangement.typed = "three"
+    assert text(console_table(facts, ["one", "two"], arrangement=arrangement))[7:] == [
+        "nothing matches the filter: Esc clears it"
+    ]

@@ -8,6 +8,7 @@ from fleet_tui.text.sanitize import cell_width
 from fleet_tui.ui.view.tables.arrangement import RowArrangement
 from fleet_tui.ui.view.tables.diagnostics.links import Links
 from fleet_tui.ui.view.tables.diagnostics.robot_log import lines_of, robot_log_table
+from fleet_tui.ui.view.tables.listing import Listing
 from tests.support.diagnostics import counter, seen, text
 from tests.support.fleets import T0
 
@@ -84,6 +85,21 @@ def test_an_opened_line_is_followed_by_its_whole_message_within_the_width() -> N
     assert " ".join(row.strip() for row in rows) == message
     assert [row.strip() for row in whole("first\nsecond\x1b[31m", 76)] == ["first", "second␛[31m"]
     assert all(cell_width(row) <= 40 for row in whole("机器人" * 60, 40))
+
+
+def test_each_part_of_an_opened_message_copies_the_whole_of_it() -> None:
+    link = counter()
+    link.take_log(LogLine(T0 + 1, 8, "/robot_0/planner", "no plan " * 30 + "\nat all"))
+    state, links = seen(link)
+    lines, listing = lines_of(links), Listing()
+    opened = {id(line) for line in lines}
+    listing.show(robot_log_table(lines, links, state, str, Severity.DEBUG, opened, 40))
+    listing.move(2)
+    assert listing.text == "no plan " * 30 + "\nat all"
+    listing.toggle_mark()
+    listing.move(1)
+    listing.toggle_mark()
+    assert listing.text.count("at all") == 1, "marked twice, copied once"
 
 
 def test_lines_that_are_not_opened_have_one_row_each() -> None:
