@@ -2,7 +2,7 @@
 
 import os
 
-__version__ = "0.1.0"
+__version__ = "0.8.0"
 
 # Textual reads this when it is imported: a key is painted within 1 ms instead of 17. Unchanged cells
 # are not sent, at any rate.
