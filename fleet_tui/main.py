@@ -16,7 +16,7 @@ from fleet_tui.config.check import missing_files
 from fleet_tui.config.load import find, read, user_folder
 from fleet_tui.config.log_file import state_problem
 from fleet_tui.config.schema import Config
-from fleet_tui.console.arrival import open_with
+from fleet_tui.console.launch import open_with
 from fleet_tui.maps.route_graphs import load_floor_graph
 from fleet_tui.text.errors import ConfigError, did_you_mean
 from fleet_tui.text.sanitize import sanitize

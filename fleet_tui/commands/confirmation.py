@@ -29,8 +29,8 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.commands import SetUpCommand
 from fleet_tui.orders.goals import own_ids
 from fleet_tui.orders.local_queue import is_bid
-from fleet_tui.situation.motion import is_moving
 from fleet_tui.situation.pauses import WAITS, instead_of_pause, pause_seen
+from fleet_tui.situation.reported_motion import is_moving
 from fleet_tui.text.language import Message, joined, verbatim
 
 BIDDING = 15.0

@@ -25,7 +25,7 @@ from fleet_tui.keys import KEYS, Key, Pane
 from fleet_tui.keys.drive import PASSES
 from fleet_tui.keys.key import key_name
 from fleet_tui.model.alarm import Key as AlarmKey
-from fleet_tui.model.marks import numbered
+from fleet_tui.model.robot_numbers import numbered
 from fleet_tui.situation.alarms.trouble import alarms_of_none, in_turn, next_in_trouble
 from fleet_tui.situation.battery.charging import has_low_battery
 from fleet_tui.situation.causes import wants_causes
@@ -36,7 +36,7 @@ from fleet_tui.ui.controllers.console import Console
 from fleet_tui.ui.controllers.map import MapControls
 from fleet_tui.ui.controllers.marked_alarm import MarkedAlarm
 from fleet_tui.ui.controllers.offers import Offers
-from fleet_tui.ui.controllers.ordering.anyone import AnyoneOrders
+from fleet_tui.ui.controllers.ordering.any_robot import AnyoneOrders
 from fleet_tui.ui.controllers.ordering.orders import OrderRequests
 from fleet_tui.ui.controllers.ordering.past_orders import PastOrders
 from fleet_tui.ui.controllers.robots import RobotRequests

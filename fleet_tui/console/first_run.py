@@ -14,9 +14,9 @@ from fleet_tui.links.discovery.address import bridge_at
 from fleet_tui.links.discovery.site import WITHIN, DiscoveredSite, start_discovery
 from fleet_tui.text.errors import FleetError
 from fleet_tui.text.language import Message, tr, translate
-from fleet_tui.ui.screens.before import RowsScreen
+from fleet_tui.ui.screens.opening import RowsScreen
 from fleet_tui.ui.view.roles import StyleRole
-from fleet_tui.ui.view.tables.arrival import Asked, Rows, first_run_rows
+from fleet_tui.ui.view.tables.opening import Asked, Rows, first_run_rows
 from fleet_tui.ui.widgets.field import Field
 
 KEYS = (("enter", "open"), ("a", "other address"), ("d", "demo"), ("r", "retry"), ("q", "quit"))

@@ -35,7 +35,7 @@ from fleet_tui.ui.view.map.drawing import Drawing
 from fleet_tui.ui.view.roles import StyleRole
 from fleet_tui.ui.view.tables.alarms import alarm_of
 from fleet_tui.ui.view.tables.recent import recent_table
-from fleet_tui.ui.view.tables.robot_page import robot_page
+from fleet_tui.ui.view.tables.selected_robot import robot_page
 from fleet_tui.ui.widgets import messages
 from fleet_tui.ui.widgets.background import run_in_background
 from fleet_tui.ui.widgets.bindings import bindings

@@ -12,7 +12,7 @@ from click.core import ParameterSource
 
 from fleet_tui.cli.offers import listed, one_of
 from fleet_tui.cli.options import NearestGroup, NumberRange, appearance, merged, screen, without_config
-from fleet_tui.console.arrival import SimulatedFleet, open_demo
+from fleet_tui.console.launch import SimulatedFleet, open_demo
 from fleet_tui.simulator.faults import parse_faults_of
 from fleet_tui.simulator.kinds import KINDS
 from fleet_tui.simulator.site import MIXED, faults_of, needs_graph_files, site_of

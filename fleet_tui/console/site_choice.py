@@ -10,9 +10,9 @@ from textual.binding import BindingType
 
 from fleet_tui.links.discovery.choices import Choice
 from fleet_tui.links.discovery.site import DiscoveredSite
-from fleet_tui.ui.screens.before import RowsScreen
+from fleet_tui.ui.screens.opening import RowsScreen
 from fleet_tui.ui.view.roles import StyleRole
-from fleet_tui.ui.view.tables.arrival import Line, Rows, arrival_rows
+from fleet_tui.ui.view.tables.opening import Line, Rows, arrival_rows
 
 KEYS = (("enter", "open"), ("up/down", "line"), ("left/right", "choose"), ("q", "quit"))
 NONE = {"floor": "any floor", "frame": "no floor"}

@@ -20,10 +20,10 @@ from fleet_tui.model.programs.program import (
     ProgramStatus,
 )
 from fleet_tui.programs import arguments
-from fleet_tui.programs.look import look
 from fleet_tui.programs.process import EndedProcess, run
 from fleet_tui.programs.reasons import SSH_FAILED, failure
 from fleet_tui.programs.session_state import stop_session
+from fleet_tui.programs.status import look
 from fleet_tui.text.language import EMPTY, N_, Message, joined, verbatim
 
 START, STOP, RESTART = VERBS = (N_("start"), N_("stop"), N_("restart"))

@@ -10,7 +10,7 @@ from msgspec.structs import replace
 
 from fleet_tui.config.programs import ProgramEntry
 from fleet_tui.model.programs.program import ProgramRow, ProgramState, ProgramStatus
-from fleet_tui.programs.look import look
+from fleet_tui.programs.status import look
 from fleet_tui.text.language import Message
 
 LOG = logging.getLogger(__name__)

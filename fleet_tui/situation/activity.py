@@ -9,9 +9,9 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.situation.alarms.trouble import is_halted
 from fleet_tui.situation.battery.charging import charging_reported
 from fleet_tui.situation.facts import AGE_UNKNOWN, BAD_DATA
-from fleet_tui.situation.motion import running_action, says_driving
 from fleet_tui.situation.pauses import is_held
 from fleet_tui.situation.pose_checks.jumps import is_jumping
+from fleet_tui.situation.reported_motion import running_action, says_driving
 from fleet_tui.situation.robots import absence
 from fleet_tui.situation.why.orders import at_stop
 from fleet_tui.situation.why.robot import charges

@@ -7,7 +7,7 @@ from fleet_tui.model.navigation import Goal
 from fleet_tui.model.robot import Robot
 from fleet_tui.orders.goals import active, own_ids
 from fleet_tui.orders.local_queue import orders_of, waiting
-from fleet_tui.situation.motion import STANDS_AFTER, moves_despite_pause, stands_since
+from fleet_tui.situation.reported_motion import STANDS_AFTER, moves_despite_pause, stands_since
 from fleet_tui.text.language import Message, joined
 
 WAITS = frozenset({Stage.ACCEPTED, Stage.NO_ANSWER, Stage.UNKNOWN})

@@ -23,7 +23,7 @@ from fleet_tui.situation.facts import (
     UNDATED_POSE,
 )
 from fleet_tui.situation.links import bridge_remedy, is_late
-from fleet_tui.situation.motion import SELDOM
+from fleet_tui.situation.reported_motion import SELDOM
 from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.text.units import age
 

@@ -13,8 +13,8 @@ from fleet_tui.model.occupancy import FREE, OCCUPIED, UNKNOWN, build_grid
 from fleet_tui.ui.view.map.camera import DOTS_X, DOTS_Y, Camera
 from fleet_tui.ui.view.map.drawing import Drawing
 from fleet_tui.ui.view.map.ground.raster import ground
+from fleet_tui.ui.view.map.layer_stack import backdrop, picture
 from fleet_tui.ui.view.map.layers import MapOptions
-from fleet_tui.ui.view.map.picture import backdrop, picture
 from fleet_tui.ui.view.map.scene import Scene, SceneRobot
 from fleet_tui.ui.view.roles import WALLS, StyleRole
 from tests.bench.others import others

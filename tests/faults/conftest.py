@@ -5,7 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from fleet_tui.links.rosbridge import heartbeat, latched, renewals, sourcing
+from fleet_tui.links.rosbridge import heartbeat, latched, renewals
+from fleet_tui.links.rosbridge import missing_packages as sourcing
 from fleet_tui.links.transports.rosbridge import connection
 from fleet_tui.simulator.faults import wire, world
 

@@ -7,8 +7,8 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
 from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.nav2.navigation import SPIN
-from fleet_tui.situation.motion import moves_despite_pause
 from fleet_tui.situation.navigation import inactive
+from fleet_tui.situation.reported_motion import moves_despite_pause
 from fleet_tui.situation.robots import adrift
 from tests.support.fault_report import report
 from tests.support.links import linked

@@ -11,7 +11,7 @@ import pytest
 from msgspec.structs import replace
 
 from fleet_tui.config.schema import Link
-from fleet_tui.links.rosbridge import pulse
+from fleet_tui.links.rosbridge import probes as pulse
 from fleet_tui.links.transports.rosbridge import connection as transport
 from fleet_tui.model.commands import PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.events import LinkChanged, MessageRejected

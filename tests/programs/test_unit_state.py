@@ -5,7 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from fleet_tui.model.programs.program import ProgramState
-from fleet_tui.programs.look import MOST_DEPENDENTS, unit_status
+from fleet_tui.programs.status import MOST_DEPENDENTS, unit_status
 
 RUNNING = """Result=success
 ExecMainStatus=0

@@ -15,7 +15,7 @@ from fleet_tui.model.navigation_events import OdometryReported
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.set_up.driving import Speeds
 from fleet_tui.situation.facts import DESPITE_PAUSE, STILL_MOVING, STOPPING
-from fleet_tui.situation.motion import LOCK, moves_despite_pause
+from fleet_tui.situation.reported_motion import LOCK, moves_despite_pause
 from fleet_tui.situation.why.why import reasons
 from fleet_tui.ui.view.lines.status import console_notes
 from fleet_tui.ui.view.roles import StyleRole

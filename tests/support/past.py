@@ -12,8 +12,8 @@ from fleet_tui.model.audit_record import AuditRecord
 from fleet_tui.model.history.facts import Note
 from fleet_tui.records.history.database import history_path, open_to_write, opened_to_read, transaction
 from fleet_tui.records.history.observing import Fact
+from fleet_tui.records.history.tables import write
 from fleet_tui.records.history.writer import HistoryWriter, history_of
-from fleet_tui.records.history.writing import write
 from fleet_tui.state.store import Store
 from tests.support.records import ANA, known_fleet
 from tests.support.watched_store import config_of

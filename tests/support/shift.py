@@ -9,7 +9,7 @@ from fleet_tui.model.audit_record import AuditRecord
 from fleet_tui.model.history.facts import Activity, Charge, LinkChange, Note, OrderChange, Span
 from fleet_tui.records.history.database import history_path, open_to_write, transaction
 from fleet_tui.records.history.observing import Fact
-from fleet_tui.records.history.writing import write
+from fleet_tui.records.history.tables import write
 from tests.support.records import ANA
 
 HOSTILE = "<script>document.title='run'</script>\x1b[2J&\"'"

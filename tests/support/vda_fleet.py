@@ -12,8 +12,8 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import Phase
 from fleet_tui.model.robot import Robot
 from fleet_tui.robots.vda5050.adapter import VehicleAdapter
+from fleet_tui.robots.vda5050.broker_reader import MessageReader
 from fleet_tui.robots.vda5050.frames import BrokerMessage
-from fleet_tui.robots.vda5050.reader import MessageReader
 from fleet_tui.state.reducer import apply
 from tests.support.vda_messages import BASE
 

@@ -7,7 +7,7 @@ from fleet_tui.commands.language.set_up import floor_of
 from fleet_tui.commands.set_up.checks import map_of
 from fleet_tui.config.schema import Config
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.situation.motion import SELDOM, STANDS_AFTER, is_moving
+from fleet_tui.situation.reported_motion import SELDOM, STANDS_AFTER, is_moving
 from fleet_tui.text.errors import CommandError
 
 STANDING_WITHIN = STANDS_AFTER + SELDOM + 1.0

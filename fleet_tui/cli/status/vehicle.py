@@ -5,7 +5,7 @@ from typing import Any
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.vehicles.vehicle import VehicleError
-from fleet_tui.situation.motion import running_action
+from fleet_tui.situation.reported_motion import running_action
 
 
 def vehicle(state: FleetState, robot: Robot) -> dict[str, Any]:

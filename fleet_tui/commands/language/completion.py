@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Sequence
 
-from fleet_tui.commands.language.anyone import ANYONE, any_matches, is_anyone
+from fleet_tui.commands.language.any_robot import ANYONE, any_matches, is_anyone
 from fleet_tui.commands.language.grammar import ALL, GOAL, USAGE
 from fleet_tui.commands.language.lookup import places, recent_ends
 from fleet_tui.commands.language.set_up import USAGE as SET_UP
@@ -10,8 +10,8 @@ from fleet_tui.commands.language.set_up import ability_of
 from fleet_tui.commands.language.words import Token, find_robot, tokens
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.kind import GOAL_CANCEL
-from fleet_tui.model.marks import typed_number
 from fleet_tui.model.robot import Robot
+from fleet_tui.model.robot_numbers import typed_number
 from fleet_tui.orders.local_queue import all_orders
 from fleet_tui.text.errors import CommandError
 

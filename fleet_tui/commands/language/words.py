@@ -7,9 +7,9 @@ from msgspec import Struct
 
 from fleet_tui.commands.language.lookup import NUMBER, called, no_graphs, places, plain_id
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.marks import typed_number
 from fleet_tui.model.order import natural
 from fleet_tui.model.robot import Robot
+from fleet_tui.model.robot_numbers import typed_number
 from fleet_tui.text.errors import CommandError, did_you_mean
 from fleet_tui.text.language import Message
 

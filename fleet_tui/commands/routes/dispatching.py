@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from fleet_tui.commands.language.anyone import own_place
+from fleet_tui.commands.language.any_robot import own_place
 from fleet_tui.commands.language.lookup import Place
 from fleet_tui.model.commands import PlaceOrder
 from fleet_tui.model.fleet import FleetState

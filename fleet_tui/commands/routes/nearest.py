@@ -7,7 +7,7 @@ from itertools import pairwise
 
 from msgspec import Struct
 
-from fleet_tui.commands.language.anyone import own_place
+from fleet_tui.commands.language.any_robot import own_place
 from fleet_tui.commands.language.lookup import Place
 from fleet_tui.commands.routes.ways import Routes, Spot
 from fleet_tui.model.commands import PlaceOrder

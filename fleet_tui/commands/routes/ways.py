@@ -7,10 +7,10 @@ from itertools import pairwise
 
 import numpy as np
 
+from fleet_tui.model.by_identity import Same
 from fleet_tui.model.geometry import Line, Pose
 from fleet_tui.model.graph import Role, RouteGraph
 from fleet_tui.model.robot import RobotMap
-from fleet_tui.model.same import Same
 
 AT_VERTEX = 0.5
 """Metres within which a robot is at a vertex: even on a one-way edge it can start from there."""

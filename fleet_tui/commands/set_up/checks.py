@@ -22,7 +22,7 @@ from fleet_tui.model.set_up.commands import (
 )
 from fleet_tui.orders.local_queue import waiting
 from fleet_tui.orders.mode import mapping_text
-from fleet_tui.situation.motion import is_moving
+from fleet_tui.situation.reported_motion import is_moving
 from fleet_tui.text.language import Message, counted
 
 FARTHEST = 1e6

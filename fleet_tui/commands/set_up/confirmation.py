@@ -21,8 +21,8 @@ from fleet_tui.model.set_up.commands import (
     counts_text,
 )
 from fleet_tui.orders.mode import is_in_mode
-from fleet_tui.situation.motion import STANDS_AFTER
 from fleet_tui.situation.pauses import stopped
+from fleet_tui.situation.reported_motion import STANDS_AFTER
 from fleet_tui.text.language import EMPTY, Message
 
 SET_WITHIN = 0.5

@@ -11,10 +11,10 @@ from fleet_tui.links.transports.mqtt.connection import BrokerConnection
 from fleet_tui.model.events import Event, MessageRejected, PoseReported
 from fleet_tui.model.vehicles.events import ConnectionReported, MessageKept, VehicleReported
 from fleet_tui.model.vehicles.vehicle import Vehicle, VehicleConnection
+from fleet_tui.robots.vda5050.broker_reader import MessageReader
 from fleet_tui.robots.vda5050.discovery import has_header
 from fleet_tui.robots.vda5050.fields import Fields
 from fleet_tui.robots.vda5050.frames import BrokerMessage
-from fleet_tui.robots.vda5050.reader import MessageReader
 from fleet_tui.robots.vda5050.topics import Topics
 from fleet_tui.text.errors import WireError
 

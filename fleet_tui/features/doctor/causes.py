@@ -4,7 +4,7 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 
 from fleet_tui.config.schema import Config
-from fleet_tui.features.doctor.lifecycle import inactive_findings
+from fleet_tui.features.doctor.managed_nodes import inactive_findings
 from fleet_tui.features.doctor.names import robots_on, without_namespace
 from fleet_tui.links.discovery.facts import BridgeFacts, RosapiFacts, TopicFacts
 from fleet_tui.links.discovery.finding import Finding, Verdict, listed
@@ -14,7 +14,7 @@ from fleet_tui.model.link import ACTIONS_GLOB, SERVICES_GLOB
 from fleet_tui.robots.adapter import Adapter
 from fleet_tui.robots.ros.logs import NOT_ALLOWED
 from fleet_tui.situation.facts import LOST_SUBSCRIPTIONS
-from fleet_tui.situation.sourcing import Listening, unsourced_package
+from fleet_tui.situation.missing_packages import Listening, unsourced_package
 from fleet_tui.text.units import counted
 
 FEWEST_TOPICS = 2  # of a node that counts as silent: a single one is listed as a topic

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from typing import assert_never
 
-from fleet_tui.features.doctor.lifecycle import active_findings
+from fleet_tui.features.doctor.managed_nodes import active_findings
 from fleet_tui.features.doctor.set_up import listener_finding, service_finding
 from fleet_tui.links.discovery.facts import LONG_ENOUGH, BridgeFacts
 from fleet_tui.links.discovery.finding import Finding, Verdict, nearest

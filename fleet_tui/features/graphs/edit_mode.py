@@ -13,9 +13,9 @@ from fleet_tui.model.graphs.draft import Change
 from fleet_tui.model.graphs.live import role_of
 from fleet_tui.text.language import EMPTY, tr, translate
 from fleet_tui.text.sanitize import sanitize
+from fleet_tui.ui.view.map.layer_stack import Layer
 from fleet_tui.ui.view.map.layers import draw_cursor
 from fleet_tui.ui.view.map.modes.mode import place_text
-from fleet_tui.ui.view.map.picture import Layer
 from fleet_tui.ui.view.map.places import seen_vertices
 from fleet_tui.ui.view.map.scene import Mission, Scene, SceneVertex
 from fleet_tui.ui.view.map.viewport import Point, Viewport

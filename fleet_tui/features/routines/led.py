@@ -6,6 +6,7 @@ from functools import partial
 from pathlib import Path
 
 from fleet_tui.features.routines.files import RoutineFile
+from fleet_tui.features.routines.folder import RoutinePlace, bridge_urls, plans_of
 from fleet_tui.features.routines.lane import (
     Gate,
     LaneNote,
@@ -16,7 +17,6 @@ from fleet_tui.features.routines.lane import (
     OrderEnded,
     OrderWithheld,
 )
-from fleet_tui.features.routines.look import RoutinePlace, bridge_urls, plans_of
 from fleet_tui.features.routines.owner import RobotLocks
 from fleet_tui.features.routines.progress import RoutineProgress, progress_path, resumable, save_progress
 from fleet_tui.features.routines.rules.orders import objection

@@ -7,8 +7,8 @@ from typing import ClassVar
 from textual.binding import BindingType
 
 from fleet_tui.config.log_file import state_folder
+from fleet_tui.features.routines.folder import RoutinePlace
 from fleet_tui.features.routines.led import LedRoutines
-from fleet_tui.features.routines.look import RoutinePlace
 from fleet_tui.features.routines.requests import RoutineRequests
 from fleet_tui.features.routines.table import routine_table, text_table
 from fleet_tui.text.language import EMPTY, Message

@@ -5,6 +5,7 @@ from functools import partial
 
 from msgspec.structs import replace
 
+from fleet_tui.features.routines.folder import RoutinePlace, look_at_all
 from fleet_tui.features.routines.lane import (
     Gate,
     LanePaused,
@@ -17,7 +18,6 @@ from fleet_tui.features.routines.lane import (
 )
 from fleet_tui.features.routines.led import LedRoutines
 from fleet_tui.features.routines.lines import lane_text, lane_word, row_word
-from fleet_tui.features.routines.look import RoutinePlace, look_at_all
 from fleet_tui.features.routines.row import RoutineRow
 from fleet_tui.features.routines.run import RoutineRun
 from fleet_tui.features.routines.start import Examined, examine

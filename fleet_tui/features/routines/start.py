@@ -8,8 +8,8 @@ from msgspec import Struct
 from fleet_tui.features.routines.blocks import RoutineProblem
 from fleet_tui.features.routines.clock import next_time
 from fleet_tui.features.routines.files import RoutineFile
+from fleet_tui.features.routines.folder import RoutinePlace, plans_of
 from fleet_tui.features.routines.lines import problem_line, timeline_lines, timeline_totals
-from fleet_tui.features.routines.look import RoutinePlace, plans_of
 from fleet_tui.features.routines.programs import program_problem
 from fleet_tui.features.routines.rules.checking import check_routine
 from fleet_tui.features.routines.rules.timeline import TimelineEntry, timeline

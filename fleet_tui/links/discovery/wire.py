@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from fleet_tui.config.schema import Link
 from fleet_tui.links.discovery.facts import TopicFacts, key_of
 from fleet_tui.links.rosbridge.calls import OWN_WORD, TIME, Calls, rosapi_places
-from fleet_tui.links.rosbridge.pulse import Pulse
+from fleet_tui.links.rosbridge.probes import Pulse
 from fleet_tui.links.transports.rosbridge.connection import Connection
 from fleet_tui.maps.levels import read_levels
 from fleet_tui.model.events import Event, GraphReceived, PoseReported

@@ -18,8 +18,8 @@ from fleet_tui.model.attention import Intervals
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.vehicles.events import ConnectionReported, MasterSeen, VehicleReported
 from fleet_tui.robots.adapter import Adapter, Feed
+from fleet_tui.robots.vda5050.broker_reader import MessageReader
 from fleet_tui.robots.vda5050.frames import BrokerMessage, frame_of
-from fleet_tui.robots.vda5050.reader import MessageReader
 from fleet_tui.robots.vda5050.topics import OF_MASTERS
 from fleet_tui.state.store import Store
 from fleet_tui.text.errors import LinkError

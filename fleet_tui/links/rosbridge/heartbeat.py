@@ -5,7 +5,7 @@ import time
 from collections.abc import Callable, Collection
 
 from fleet_tui.links.rosbridge.calls import OWN_WORD, Calls, NoAnswerError
-from fleet_tui.links.rosbridge.pulse import Pulse, is_unknown
+from fleet_tui.links.rosbridge.probes import Pulse, is_unknown
 from fleet_tui.links.rosbridge.services import Services
 from fleet_tui.model.counters import RoundTrips
 from fleet_tui.model.events import CommandPathChanged

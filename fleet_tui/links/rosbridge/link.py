@@ -8,7 +8,7 @@ from fleet_tui.config.schema import Config
 from fleet_tui.links.rosbridge.calls import rosapi_places
 from fleet_tui.links.rosbridge.command_channel import CommandChannel
 from fleet_tui.links.rosbridge.driving.drive import Drive
-from fleet_tui.links.rosbridge.lifecycle import Lifecycle, lifecycle_probes
+from fleet_tui.links.rosbridge.managed_nodes import Lifecycle, lifecycle_probes
 from fleet_tui.links.rosbridge.telemetry import Telemetry
 from fleet_tui.links.writer import Writer
 from fleet_tui.model.commands import Command

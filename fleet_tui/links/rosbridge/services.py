@@ -8,7 +8,7 @@ from contextlib import suppress
 
 from fleet_tui.config.fleet import Service
 from fleet_tui.links.rosbridge.calls import Calls, NoAnswerError
-from fleet_tui.links.rosbridge.pulse import is_unknown
+from fleet_tui.links.rosbridge.probes import is_unknown
 from fleet_tui.robots.ros.operations import ServiceResponse
 from fleet_tui.robots.ros.type_names import same_type
 from fleet_tui.text.errors import LinkError

@@ -12,15 +12,15 @@ from fleet_tui.config.schema import Config
 from fleet_tui.links.memory import trim
 from fleet_tui.links.rosbridge.backlog import Backlog, Frame
 from fleet_tui.links.rosbridge.calls import Calls
-from fleet_tui.links.rosbridge.lifecycle import ReadLifecycle, lifecycle_probes
+from fleet_tui.links.rosbridge.lateness import Soundings
+from fleet_tui.links.rosbridge.managed_nodes import ReadLifecycle, lifecycle_probes
+from fleet_tui.links.rosbridge.missing_packages import Sourcing
 from fleet_tui.links.rosbridge.pacing import Pacing
-from fleet_tui.links.rosbridge.pulse import EVERY_QUESTION, Pulse
+from fleet_tui.links.rosbridge.probes import EVERY_QUESTION, Pulse
 from fleet_tui.links.rosbridge.renewals import PER_TOPIC
 from fleet_tui.links.rosbridge.services import Services
 from fleet_tui.links.rosbridge.set_up.camera_channel import CameraChannel
 from fleet_tui.links.rosbridge.set_up.stream_writer import StreamWriter
-from fleet_tui.links.rosbridge.soundings import Soundings
-from fleet_tui.links.rosbridge.sourcing import Sourcing
 from fleet_tui.links.rosbridge.subscriber import Subscriber
 from fleet_tui.links.transports.loop import wait_for_turn
 from fleet_tui.links.transports.rosbridge.connection import Connection

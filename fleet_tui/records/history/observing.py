@@ -14,7 +14,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.orders.ends import EVIDENCE_WITHIN, ended_orders, given_elsewhere, placed_by, seen_end
 from fleet_tui.orders.local_queue import GOING
 from fleet_tui.situation.activity import activity, may_do_anything
-from fleet_tui.situation.alarms.told import told
+from fleet_tui.situation.alarms.past import told
 from fleet_tui.situation.why.reason import name_of
 from fleet_tui.text.language import EMPTY, Message, joined
 

@@ -9,7 +9,7 @@ from fleet_tui.model.audit_record import AuditRecord
 from fleet_tui.model.commands import Stage
 from fleet_tui.model.history.facts import OrderChange
 from fleet_tui.records.audit.reader import AuditReader
-from fleet_tui.records.history.writing import ENDS, write, write_record
+from fleet_tui.records.history.tables import ENDS, write, write_record
 
 MOST = 200_000
 """Records that are read, the newest ones."""

@@ -29,7 +29,7 @@ from fleet_tui.records.history.database import (
 from fleet_tui.records.history.observing import Fact, Observer
 from fleet_tui.records.history.pruning import DAY, shrink
 from fleet_tui.records.history.rebuilding import catch_up, rebuild
-from fleet_tui.records.history.writing import end_unseen, end_unseen_alarms, write_all
+from fleet_tui.records.history.tables import end_unseen, end_unseen_alarms, write_all
 from fleet_tui.state.store import Store
 from fleet_tui.storage.lock import LockFile
 from fleet_tui.storage.worker import Worker

@@ -27,9 +27,9 @@ from fleet_tui.situation.causes import cause_of_standing
 from fleet_tui.situation.fact import Fact
 from fleet_tui.situation.facts import BAD_DATA, DESPITE_PAUSE, SILENT
 from fleet_tui.situation.failures import failed_commands
-from fleet_tui.situation.motion import moves_despite_pause, running_action, says_driving
 from fleet_tui.situation.navigation import silent_navigation
 from fleet_tui.situation.pauses import is_held
+from fleet_tui.situation.reported_motion import moves_despite_pause, running_action, says_driving
 from fleet_tui.situation.robots import (
     absence,
     is_blocked_for_long,

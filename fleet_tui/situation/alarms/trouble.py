@@ -12,10 +12,15 @@ from fleet_tui.orders.newest import is_paused_elsewhere
 from fleet_tui.situation.alarms.members import FAILED_MODES
 from fleet_tui.situation.battery.charging import CHARGES, ON_ITS_WAY
 from fleet_tui.situation.facts import BAD_DATA
-from fleet_tui.situation.motion import moves_despite_pause, running_action, says_driving, stands_with_order
 from fleet_tui.situation.navigation import inactive
 from fleet_tui.situation.pose_checks.jumps import is_jumping
 from fleet_tui.situation.pose_checks.misplaced import misplaced_text
+from fleet_tui.situation.reported_motion import (
+    moves_despite_pause,
+    running_action,
+    says_driving,
+    stands_with_order,
+)
 from fleet_tui.situation.robots import absence, adrift, bad_data, obstacle, silent
 from fleet_tui.situation.vehicles import FINDERS
 from fleet_tui.text.language import EMPTY, N_, Message

@@ -12,8 +12,8 @@ from fleet_tui.model.commands import (
     Stage,
 )
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.marks import LAST_KEY, mark_of
 from fleet_tui.model.robot import Robot
+from fleet_tui.model.robot_numbers import LAST_KEY, mark_of
 from fleet_tui.orders.ends import seen_end
 from fleet_tui.orders.local_queue import waiting
 from fleet_tui.orders.newest import last_command

@@ -13,7 +13,6 @@ from fleet_tui.situation.alarms.classes import CLASSES
 from fleet_tui.situation.battery.charging import charger_used, charging_remedy, charging_reported
 from fleet_tui.situation.facts import BAD_DATA, NO_POSE
 from fleet_tui.situation.localisation import no_pose
-from fleet_tui.situation.motion import STANDS_AFTER, moves_despite_pause, says_driving
 from fleet_tui.situation.movement import JUMPS_WITHIN
 from fleet_tui.situation.pauses import is_held, own_pause_text
 from fleet_tui.situation.pose_checks.jumps import recent_jumps
@@ -24,6 +23,7 @@ from fleet_tui.situation.pose_checks.misplaced import (
     misplaced_text,
 )
 from fleet_tui.situation.pose_checks.off_route import is_off_route, metres_off
+from fleet_tui.situation.reported_motion import STANDS_AFTER, moves_despite_pause, says_driving
 from fleet_tui.situation.robots import absence, last_contact, silent
 from fleet_tui.situation.why.reason import LOOK_AT, Reason, Strength, name_of, reason_of, stationary_since
 from fleet_tui.text.language import EMPTY, Message

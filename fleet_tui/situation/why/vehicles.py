@@ -6,7 +6,7 @@ from functools import partial
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.situation.fact import Fact
-from fleet_tui.situation.motion import action_text, running_action
+from fleet_tui.situation.reported_motion import action_text, running_action
 from fleet_tui.situation.vehicles import FINDERS, REPORTED
 from fleet_tui.situation.why.reason import Reason, Rule, Strength, reason_of
 

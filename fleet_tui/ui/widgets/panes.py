@@ -8,7 +8,7 @@ from textual.geometry import Size
 from textual.widget import Widget
 
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.ui.view.lately import RecentActivity, activity_table
+from fleet_tui.ui.view.activity_bars import RecentActivity, activity_table
 from fleet_tui.ui.view.layout import (
     BROAD,
     LEAST_BESIDE,

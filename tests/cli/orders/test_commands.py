@@ -10,7 +10,8 @@ from pathlib import Path
 
 import pytest
 
-from fleet_tui.links.rosbridge import calls, pulse
+from fleet_tui.links.rosbridge import calls
+from fleet_tui.links.rosbridge import probes as pulse
 from fleet_tui.simulator.calls import Call
 from fleet_tui.simulator.frames import Frame, Payload
 from fleet_tui.simulator.kinds import play

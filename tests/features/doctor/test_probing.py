@@ -5,7 +5,7 @@ from typing import Any
 
 import pytest
 
-from fleet_tui.features.doctor.lifecycle import inactive_findings
+from fleet_tui.features.doctor.managed_nodes import inactive_findings
 from fleet_tui.features.doctor.probing import bridge_probes, probe_findings
 from fleet_tui.links.discovery.facts import BridgeFacts
 from fleet_tui.links.discovery.finding import Finding, Verdict

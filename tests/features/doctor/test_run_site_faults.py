@@ -17,7 +17,7 @@ from fleet_tui.config.entries import FloorEntry, RobotEntry
 from fleet_tui.config.schema import Config, Link
 from fleet_tui.console.demo import demo_config
 from fleet_tui.features.doctor.run import doctor
-from fleet_tui.links.rosbridge.pulse import OF_NODE
+from fleet_tui.links.rosbridge.probes import OF_NODE
 from fleet_tui.robots.profile import Profile
 from fleet_tui.robots.ros.type_names import same_type
 from fleet_tui.simulator.kinds import play

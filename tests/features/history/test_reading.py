@@ -11,7 +11,7 @@ from fleet_tui.keys import HISTORY_PAGES
 from fleet_tui.model.history.facts import Activity, Charge
 from fleet_tui.records.history.database import open_to_write, transaction
 from fleet_tui.records.history.division import Division
-from fleet_tui.records.history.writing import write
+from fleet_tui.records.history.tables import write
 from tests.support.shift import shift
 
 TIME = Division(0.0, 1800.0, 6)

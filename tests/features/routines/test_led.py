@@ -7,9 +7,9 @@ from typing import Any
 import pytest
 
 from fleet_tui.features.routines.files import RoutineFile, read_routine
+from fleet_tui.features.routines.folder import RoutinePlace
 from fleet_tui.features.routines.lane import Gate, LanePaused, LanePhase, LaneResumed, LaneSkipped
 from fleet_tui.features.routines.led import LedRoutines
-from fleet_tui.features.routines.look import RoutinePlace
 from fleet_tui.features.routines.owner import RobotLocks
 from fleet_tui.features.routines.progress import load_progress, progress_path
 from fleet_tui.model.problem import Permissions

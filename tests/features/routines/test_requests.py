@@ -6,8 +6,8 @@ from pathlib import Path
 import pytest
 from msgspec.structs import replace
 
+from fleet_tui.features.routines.folder import RoutinePlace
 from fleet_tui.features.routines.led import LedRoutines
-from fleet_tui.features.routines.look import RoutinePlace
 from fleet_tui.features.routines.owner import RobotLocks
 from fleet_tui.features.routines.requests import RoutineRequests
 from fleet_tui.ui.controllers.typed import Entry

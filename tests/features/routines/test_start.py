@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from fleet_tui.features.routines.files import read_routine
-from fleet_tui.features.routines.look import RoutinePlace
+from fleet_tui.features.routines.folder import RoutinePlace
 from fleet_tui.features.routines.start import Examined, examine, problems_of, timeline_of
 from tests.support.routines import two_robots
 

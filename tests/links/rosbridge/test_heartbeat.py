@@ -8,7 +8,9 @@ import pytest
 from fleet_tui.cli.status.report import attention
 from fleet_tui.config.schema import Config, Operator
 from fleet_tui.console.demo import demo_config
-from fleet_tui.links.rosbridge import calls, heartbeat, pulse, soundings
+from fleet_tui.links.rosbridge import calls, heartbeat
+from fleet_tui.links.rosbridge import lateness as soundings
+from fleet_tui.links.rosbridge import probes as pulse
 from fleet_tui.model.commands import PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.counters import RoundTrips
 from fleet_tui.model.events import CommandPathChanged

@@ -12,7 +12,7 @@ from fleet_tui.model.order import OrderState
 from fleet_tui.records.history.observing import Observer
 from fleet_tui.text.language import Message
 from fleet_tui.ui.view.tables.recent import recent_table
-from fleet_tui.ui.view.tables.robot_page import ended_rows
+from fleet_tui.ui.view.tables.selected_robot import ended_rows
 from tests.support.fleets import R0, T0, reduced
 from tests.support.legs import DONE, FAILED, OFF, goal, lived, record, sent, site
 

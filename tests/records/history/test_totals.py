@@ -14,8 +14,8 @@ from fleet_tui.model.history.facts import Activity, Charge, OrderChange, Span
 from fleet_tui.records.history.database import SCHEMA, open_to_write
 from fleet_tui.records.history.division import divided
 from fleet_tui.records.history.observing import HOUR
+from fleet_tui.records.history.tables import write
 from fleet_tui.records.history.totals import Totals
-from fleet_tui.records.history.writing import write
 
 
 @pytest.fixture

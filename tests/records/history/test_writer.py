@@ -19,8 +19,8 @@ from fleet_tui.records.history import writer
 from fleet_tui.records.history.database import opened_to_read
 from fleet_tui.records.history.observing import Fact
 from fleet_tui.records.history.reading import History
+from fleet_tui.records.history.tables import write as usual
 from fleet_tui.records.history.writer import HistoryWriter, history_of, turn_at
-from fleet_tui.records.history.writing import write as usual
 from fleet_tui.state.store import Store
 from tests.support.fleets import R0, T0, WALL, pose, queue, tick
 from tests.support.polling import eventually
@@ -148,7 +148,7 @@ def test_a_full_disk_loses_nothing(store: Store, running: Running, monkeypatch: 
             raise sqlite3.OperationalError("database or disk is full")
         usual(database, fact, run, operator)
 
-    monkeypatch.setattr("fleet_tui.records.history.writing.write", write)
+    monkeypatch.setattr("fleet_tui.records.history.tables.write", write)
     give(store, 1, ORDER, Stage.SENT)
     eventually(lambda: history.notes)
     assert history.notes == ["history: not written: database or disk is full"]

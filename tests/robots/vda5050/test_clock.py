@@ -4,7 +4,7 @@ from datetime import UTC, datetime
 
 import pytest
 
-from fleet_tui.robots.vda5050.reading import unix_second
+from fleet_tui.robots.vda5050.messages import unix_second
 
 SECOND = datetime(2026, 1, 2, 3, 4, 5, tzinfo=UTC).timestamp()
 

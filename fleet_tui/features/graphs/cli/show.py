@@ -14,8 +14,8 @@ from fleet_tui.text.sanitize import fit, sanitize
 from fleet_tui.ui.view.map.area import worth_seeing
 from fleet_tui.ui.view.map.camera import Camera
 from fleet_tui.ui.view.map.drawing import Drawing
+from fleet_tui.ui.view.map.layer_stack import backdrop
 from fleet_tui.ui.view.map.layers import MapOptions
-from fleet_tui.ui.view.map.picture import backdrop
 from fleet_tui.ui.view.map.scene import Scene, SceneVertex
 
 SIZE = 80, 24

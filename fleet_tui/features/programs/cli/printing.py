@@ -8,7 +8,7 @@ from fleet_tui.config.log_file import state_folder
 from fleet_tui.config.programs import ProgramEntry
 from fleet_tui.programs.arguments import log
 from fleet_tui.programs.log_tail import LogTail
-from fleet_tui.programs.look import look
+from fleet_tui.programs.status import look
 
 PRINT_EVERY = 0.1
 QUIET = 2.0

@@ -7,8 +7,8 @@ from fleet_tui.cli.orders.outcome import DONE, NOT_DONE
 from fleet_tui.config.schema import Config
 from fleet_tui.config.start import initial_state
 from fleet_tui.features.routines.cli.reading import Say, place_of
+from fleet_tui.features.routines.folder import look_at_all
 from fleet_tui.features.routines.lines import NEVER, row_word
-from fleet_tui.features.routines.look import look_at_all
 from fleet_tui.features.routines.row import RoutineRow
 from fleet_tui.text.sanitize import sanitize
 

@@ -9,7 +9,7 @@ from fleet_tui.cli.orders.sending import Sending
 from fleet_tui.config.log_file import state_folder
 from fleet_tui.config.schema import Config
 from fleet_tui.features.routines.files import RoutineFile
-from fleet_tui.features.routines.look import RoutinePlace
+from fleet_tui.features.routines.folder import RoutinePlace
 from fleet_tui.features.routines.rules.checking import robots_of
 from fleet_tui.text.errors import RoutineError
 from fleet_tui.text.sanitize import sanitize

@@ -21,6 +21,7 @@ from fleet_tui.config.schema import Config
 from fleet_tui.features.routines.cli.reading import Say, await_robots, named_routine
 from fleet_tui.features.routines.clock import clock_text
 from fleet_tui.features.routines.files import RoutineFile
+from fleet_tui.features.routines.folder import bridge_urls
 from fleet_tui.features.routines.lane import (
     Gate,
     Lane,
@@ -32,7 +33,6 @@ from fleet_tui.features.routines.lane import (
     OrderWithheld,
 )
 from fleet_tui.features.routines.lines import lane_text, note_text, problem_line
-from fleet_tui.features.routines.look import bridge_urls
 from fleet_tui.features.routines.owner import RobotLocks
 from fleet_tui.features.routines.progress import RoutineProgress, progress_path, resumable, save_progress
 from fleet_tui.features.routines.rules.orders import objection

@@ -13,7 +13,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.records.recording.records import EventRecord, ReceivedFrame, Record
 from fleet_tui.robots.ros.operations import Fragment, ServiceResponse
 from fleet_tui.robots.ros.reading import FrameReader, StreamTaken
-from fleet_tui.robots.vda5050.reader import MessageReader
+from fleet_tui.robots.vda5050.broker_reader import MessageReader
 from fleet_tui.state.reducer import apply
 
 

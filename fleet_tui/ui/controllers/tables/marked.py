@@ -6,7 +6,7 @@ from time import monotonic
 from msgspec import Struct
 from msgspec.structs import replace
 
-from fleet_tui.commands.language.anyone import own_place
+from fleet_tui.commands.language.any_robot import own_place
 from fleet_tui.commands.language.lookup import Place
 from fleet_tui.commands.subject import Subject, subject_of
 from fleet_tui.model.commands import Command, PauseRobot, PlaceOrder

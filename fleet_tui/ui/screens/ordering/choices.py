@@ -4,7 +4,7 @@ import math
 from collections import Counter
 from collections.abc import Callable, Sequence
 
-from fleet_tui.commands.language.anyone import ANYONE, any_matches
+from fleet_tui.commands.language.any_robot import ANYONE, any_matches
 from fleet_tui.commands.language.favourites import Favourite, Given, favourites
 from fleet_tui.commands.language.lookup import HERE, Place, matches, places, recent_ends, starts_here
 from fleet_tui.commands.routes.charging import way_to_charger
@@ -15,7 +15,7 @@ from fleet_tui.model.link import Phase
 from fleet_tui.model.problem import Problem
 from fleet_tui.model.robot import Robot
 from fleet_tui.situation.battery.charging import has_low_battery
-from fleet_tui.situation.motion import STANDS_AFTER
+from fleet_tui.situation.reported_motion import STANDS_AFTER
 from fleet_tui.text.errors import did_you_mean
 from fleet_tui.text.language import EMPTY, Message, tr, translate
 from fleet_tui.text.sanitize import cell_width, sanitize

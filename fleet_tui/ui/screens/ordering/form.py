@@ -10,7 +10,7 @@ from textual.app import ComposeResult
 from textual.widgets import Button, Input, Static
 
 from fleet_tui.commands.checks import robot_problems
-from fleet_tui.commands.language.anyone import ANYONE, is_anyone
+from fleet_tui.commands.language.any_robot import ANYONE, is_anyone
 from fleet_tui.commands.language.favourites import Favourite, Given
 from fleet_tui.commands.language.lookup import HERE, Place, is_still, order_of, starts_here
 from fleet_tui.commands.routes.dispatching import to_any

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Sequence
 
-from fleet_tui.commands.language.anyone import is_anyone
+from fleet_tui.commands.language.any_robot import is_anyone
 from fleet_tui.commands.language.lookup import Place, order_of
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.request import Request

@@ -22,8 +22,8 @@ from fleet_tui.ui.view.help.synonyms import SYNONYMS
 from fleet_tui.ui.view.lines.time import MARKS
 from fleet_tui.ui.view.map.camera import DOTS_X, DOTS_Y, Camera
 from fleet_tui.ui.view.map.glyphs import robot_glyph
+from fleet_tui.ui.view.map.layer_stack import backdrop, picture
 from fleet_tui.ui.view.map.layers import MapOptions
-from fleet_tui.ui.view.map.picture import backdrop, picture
 from fleet_tui.ui.view.map.placing.crowds import LEAST
 from fleet_tui.ui.view.map.robots import FEW
 from fleet_tui.ui.view.map.scene import Mission, Scene, SceneRobot, SceneVertex

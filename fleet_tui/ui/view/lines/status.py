@@ -11,8 +11,8 @@ from fleet_tui.model.sites import alarms_by_site, site_of, sites_of
 from fleet_tui.situation.alarms.trouble import to_look_at
 from fleet_tui.situation.facts import LATE_LINK
 from fleet_tui.situation.links import LATE_FROM, dead_commands, is_late, withheld
-from fleet_tui.situation.motion import is_moving
 from fleet_tui.situation.pauses import is_held
+from fleet_tui.situation.reported_motion import is_moving
 from fleet_tui.text.language import Message, counted, tr, translate
 from fleet_tui.text.sanitize import cell_width, fit_words, sanitize
 from fleet_tui.text.units import age, duration

@@ -12,7 +12,7 @@ from fleet_tui.model.order import natural
 from fleet_tui.model.robot import Robot
 from fleet_tui.situation.alarms.classes import action_of
 from fleet_tui.situation.alarms.trouble import acknowledged, in_trouble
-from fleet_tui.situation.motion import STANDS_AFTER, says_driving
+from fleet_tui.situation.reported_motion import STANDS_AFTER, says_driving
 from fleet_tui.situation.why.complaints import Complaint
 from fleet_tui.situation.why.place import place_text
 from fleet_tui.situation.why.reason import Reason, Strength, stationary_since

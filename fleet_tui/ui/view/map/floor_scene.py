@@ -9,14 +9,14 @@ from dataclasses import replace
 from functools import lru_cache
 
 from fleet_tui.commands.routes.order_draft import Drafted
+from fleet_tui.model.by_identity import Same
 from fleet_tui.model.desk.desk import Ends
 from fleet_tui.model.fleet import FleetState, Floor
 from fleet_tui.model.geometry import Line, MapFrame, Pose
 from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.grid import OccupancyGrid
-from fleet_tui.model.marks import marks_of
 from fleet_tui.model.robot import Robot, RobotMap
-from fleet_tui.model.same import Same
+from fleet_tui.model.robot_numbers import marks_of
 from fleet_tui.orders.mode import mapping_text
 from fleet_tui.situation.alarms.facilities import closed_edges
 from fleet_tui.situation.alarms.trouble import (

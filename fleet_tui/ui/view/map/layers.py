@@ -7,9 +7,9 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
+from fleet_tui.model.by_identity import Same
 from fleet_tui.model.graph import Role
 from fleet_tui.model.order import natural
-from fleet_tui.model.same import Same
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.ui.view.map.camera import Camera
 from fleet_tui.ui.view.map.cells import Cells, Roles

@@ -12,9 +12,9 @@ from fleet_tui.text.sanitize import cell_width, fit_words, sanitize
 from fleet_tui.ui.view.map.camera import Camera, scale_bar
 from fleet_tui.ui.view.map.cells import Cells
 from fleet_tui.ui.view.map.drawing import Drawing
+from fleet_tui.ui.view.map.layer_stack import backdrop, picture
 from fleet_tui.ui.view.map.layers import MapOptions
 from fleet_tui.ui.view.map.modes.mode import CursorMode, MapMode, ViewMode
-from fleet_tui.ui.view.map.picture import backdrop, picture
 from fleet_tui.ui.view.map.places import Place, seen_robots
 from fleet_tui.ui.view.map.placing.labels import Backdrop
 from fleet_tui.ui.view.map.robots import Arrangement

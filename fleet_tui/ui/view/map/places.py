@@ -5,8 +5,8 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
+from fleet_tui.model.by_identity import Same
 from fleet_tui.model.geometry import MapFrame
-from fleet_tui.model.same import Same
 from fleet_tui.ui.view.map.camera import Camera
 from fleet_tui.ui.view.map.glyphs import is_special
 from fleet_tui.ui.view.map.scene import Scene, SceneRobot, SceneVertex

@@ -6,8 +6,8 @@ from itertools import chain
 import numpy as np
 from numpy.typing import NDArray
 
+from fleet_tui.model.by_identity import Same
 from fleet_tui.model.geometry import Line
-from fleet_tui.model.same import Same
 from fleet_tui.ui.view.map.camera import DOTS_X, DOTS_Y, Camera
 from fleet_tui.ui.view.map.places import Points, pixels
 from fleet_tui.ui.view.map.scene import Scene

@@ -22,7 +22,7 @@ from fleet_tui.ui.view.tables.alarms import SIGNS
 from fleet_tui.ui.view.tables.doing import page_texts
 from fleet_tui.ui.view.tables.missions import progress_text, way, whose_mission
 from fleet_tui.ui.view.tables.news import with_commas
-from fleet_tui.ui.view.tables.robot_page import NAME, command_rows, ended_rows, named, value_rows
+from fleet_tui.ui.view.tables.selected_robot import NAME, command_rows, ended_rows, named, value_rows
 from fleet_tui.ui.view.tables.table import Run, cut, width_of
 
 STATE = 47

@@ -6,7 +6,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.situation.activity import activities
 from fleet_tui.situation.alarms.trouble import acknowledged, waits
 from fleet_tui.situation.facts import DRIVES_ON
-from fleet_tui.situation.motion import action_text, running_action, stands_with_order
+from fleet_tui.situation.reported_motion import action_text, running_action, stands_with_order
 from fleet_tui.situation.robots import obstacle
 from fleet_tui.text.language import Message, counted, translate
 from fleet_tui.text.sanitize import sanitize

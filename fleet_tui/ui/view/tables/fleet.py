@@ -11,8 +11,8 @@ from msgspec.structs import replace
 
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.facts import Activity
-from fleet_tui.model.marks import marks_of
 from fleet_tui.model.robot import Robot
+from fleet_tui.model.robot_numbers import marks_of
 from fleet_tui.orders.local_queue import all_orders
 from fleet_tui.situation.activity import activities
 from fleet_tui.situation.alarms.trouble import acknowledged, by_urgency, shelved, to_look_at

@@ -12,11 +12,11 @@ from fleet_tui.situation.alarms.trouble import AGING, in_trouble, shelved, unexp
 from fleet_tui.situation.fact import Fact
 from fleet_tui.situation.facts import BAD_DATA, FAULT, INACTIVE, SILENT
 from fleet_tui.situation.localisation import uncertain
-from fleet_tui.situation.motion import moves_despite_pause
 from fleet_tui.situation.navigation import inactive, silent_navigation
 from fleet_tui.situation.pauses import own_pause_text
 from fleet_tui.situation.pose_checks.jumps import is_jumping
 from fleet_tui.situation.pose_checks.misplaced import misplaced_text
+from fleet_tui.situation.reported_motion import moves_despite_pause
 from fleet_tui.situation.robots import absence, adrift, bad_data, drives_on, last_contact, obstacle
 from fleet_tui.situation.vehicles import FINDERS
 from fleet_tui.text.language import Message, tr, translate

@@ -14,7 +14,7 @@ from fleet_tui.model.order import Order
 from fleet_tui.model.order_life import GoneOrder
 from fleet_tui.model.robot import Robot
 from fleet_tui.orders.ends import ended_orders, placed_by, seen_end
-from fleet_tui.situation.alarms.told import told
+from fleet_tui.situation.alarms.past import told
 from fleet_tui.situation.batches import pauses, summary
 from fleet_tui.text.language import Message, tr, translate
 from fleet_tui.text.sanitize import sanitize

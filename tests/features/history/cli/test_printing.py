@@ -11,7 +11,7 @@ from fleet_tui.model.history.facts import Activity, Span
 from fleet_tui.records.history.database import open_to_write
 from fleet_tui.records.history.observing import HOUR
 from fleet_tui.records.history.reading import History
-from fleet_tui.records.history.writing import write
+from fleet_tui.records.history.tables import write
 
 
 def test_times_are_local() -> None:

@@ -7,8 +7,8 @@ from hypothesis import strategies as st
 from msgspec import structs
 
 from fleet_tui.model.geometry import Pose
+from fleet_tui.ui.view.map.layer_stack import backdrop
 from fleet_tui.ui.view.map.layers import MapOptions
-from fleet_tui.ui.view.map.picture import backdrop
 from fleet_tui.ui.view.map.scene import SceneRobot, SceneVertex
 from fleet_tui.ui.view.roles import LABELS, StyleRole
 from tests.support.drawn_hall import FIT, SCENE, drawn

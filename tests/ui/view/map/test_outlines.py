@@ -8,8 +8,8 @@ import pytest
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.ui.view.map.camera import Camera
 from fleet_tui.ui.view.map.cells import Cells
+from fleet_tui.ui.view.map.layer_stack import backdrop, picture
 from fleet_tui.ui.view.map.layers import MapOptions
-from fleet_tui.ui.view.map.picture import backdrop, picture
 from fleet_tui.ui.view.map.scene import Scene, SceneRobot
 
 FRAME = MapFrame(0.05, 400, 200)

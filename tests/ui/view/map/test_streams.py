@@ -10,8 +10,8 @@ from fleet_tui.model.occupancy import FREE, OCCUPIED, build_grid
 from fleet_tui.ui.view.map.camera import Camera
 from fleet_tui.ui.view.map.cells import Cells
 from fleet_tui.ui.view.map.drawing import Drawing
+from fleet_tui.ui.view.map.layer_stack import backdrop, picture
 from fleet_tui.ui.view.map.layers import MapOptions
-from fleet_tui.ui.view.map.picture import backdrop, picture
 from fleet_tui.ui.view.map.scene import Scene
 from fleet_tui.ui.view.roles import StyleRole
 

@@ -9,7 +9,7 @@ from fleet_tui.text.language import Message
 from fleet_tui.ui.view.roles import StyleRole
 from fleet_tui.ui.view.tables.news import failed_command
 from fleet_tui.ui.view.tables.recent import recent_table
-from fleet_tui.ui.view.tables.robot_page import robot_page
+from fleet_tui.ui.view.tables.selected_robot import robot_page
 from tests.support.alarms import without_poses
 from tests.support.fleets import (
     R0,

@@ -9,9 +9,9 @@ from fleet_tui.text.language import tr
 from fleet_tui.text.sanitize import fit, sanitize
 from fleet_tui.ui.view.map.camera import Camera
 from fleet_tui.ui.view.map.cells import Cells
+from fleet_tui.ui.view.map.layer_stack import Layer
 from fleet_tui.ui.view.map.layers import MapOptions
 from fleet_tui.ui.view.map.modes.mode import PlainMode
-from fleet_tui.ui.view.map.picture import Layer
 from fleet_tui.ui.view.map.scene import Scene
 from fleet_tui.ui.view.map.viewport import Viewport
 from fleet_tui.ui.view.roles import StyleRole

@@ -3,8 +3,8 @@
 from typing import Protocol
 
 from fleet_tui.text.sanitize import sanitize
+from fleet_tui.ui.view.map.layer_stack import Layer
 from fleet_tui.ui.view.map.layers import draw_cursor
-from fleet_tui.ui.view.map.picture import Layer
 from fleet_tui.ui.view.map.scene import Scene, SceneRobot, SceneVertex
 from fleet_tui.ui.view.map.viewport import Viewport, pick
 

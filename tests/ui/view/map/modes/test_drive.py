@@ -6,9 +6,9 @@ from fleet_tui.commands.driving.clearance import FAR
 from fleet_tui.commands.driving.speed import Caps
 from fleet_tui.model.set_up.driving import DrivePhase, DriveState, Speeds
 from fleet_tui.ui.view.map.camera import Camera
+from fleet_tui.ui.view.map.layer_stack import backdrop, picture
 from fleet_tui.ui.view.map.layers import MapOptions
 from fleet_tui.ui.view.map.modes.drive import DriveMode
-from fleet_tui.ui.view.map.picture import backdrop, picture
 from tests.support.map_pane import FRAME, SCENE
 
 

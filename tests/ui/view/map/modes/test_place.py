@@ -7,9 +7,9 @@ import pytest
 from fleet_tui.model.geometry import Pose
 from fleet_tui.text.language import Message
 from fleet_tui.ui.view.map.camera import Camera
+from fleet_tui.ui.view.map.layer_stack import backdrop, picture
 from fleet_tui.ui.view.map.layers import MapOptions
 from fleet_tui.ui.view.map.modes.place import PlaceMode
-from fleet_tui.ui.view.map.picture import backdrop, picture
 from fleet_tui.ui.view.map.viewport import Viewport
 from tests.support.map_pane import FRAME, SCENE
 

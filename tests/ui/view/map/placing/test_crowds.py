@@ -11,8 +11,8 @@ from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.ui.view.map.camera import Camera
 from fleet_tui.ui.view.map.drawing import Drawing
 from fleet_tui.ui.view.map.glyphs import is_special, robot_roles
+from fleet_tui.ui.view.map.layer_stack import backdrop, picture
 from fleet_tui.ui.view.map.layers import MapOptions
-from fleet_tui.ui.view.map.picture import backdrop, picture
 from fleet_tui.ui.view.map.places import seen_robots
 from fleet_tui.ui.view.map.placing.crowds import BLOCK, LEAST, clusters, crowd_chips, is_crowd
 from fleet_tui.ui.view.map.placing.occupancy import CellOccupancy

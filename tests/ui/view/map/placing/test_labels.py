@@ -9,8 +9,8 @@ from hypothesis import strategies as st
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.ui.view.map.camera import Camera
 from fleet_tui.ui.view.map.cells import Cells
+from fleet_tui.ui.view.map.layer_stack import backdrop, picture
 from fleet_tui.ui.view.map.layers import MapOptions
-from fleet_tui.ui.view.map.picture import backdrop, picture
 from fleet_tui.ui.view.map.placing.labels import PASSING, VACANT
 from fleet_tui.ui.view.map.robots import Arrangement
 from fleet_tui.ui.view.map.scene import Mission, Scene, SceneRobot, SceneVertex

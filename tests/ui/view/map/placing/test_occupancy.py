@@ -9,8 +9,8 @@ from hypothesis import strategies as st
 from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.model.graph import Role
 from fleet_tui.ui.view.map.camera import Camera
+from fleet_tui.ui.view.map.layer_stack import backdrop, picture
 from fleet_tui.ui.view.map.layers import MapOptions
-from fleet_tui.ui.view.map.picture import backdrop, picture
 from fleet_tui.ui.view.map.placing.chips import ChipSize
 from fleet_tui.ui.view.map.placing.occupancy import CellOccupancy
 from fleet_tui.ui.view.map.scene import Scene, SceneRobot, SceneVertex

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Sequence
 from functools import partial
 
-from fleet_tui.commands.language.anyone import parse_anyone
+from fleet_tui.commands.language.any_robot import parse_anyone
 from fleet_tui.commands.language.completion import complete
 from fleet_tui.commands.language.lookup import Place, is_still, order_of
 from fleet_tui.commands.routes.dispatching import to_any

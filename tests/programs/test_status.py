@@ -7,8 +7,8 @@ from msgspec.structs import replace
 
 from fleet_tui.config.programs import ProgramEntry
 from fleet_tui.model.programs.program import ProgramState
-from fleet_tui.programs import look as looking
-from fleet_tui.programs.look import look
+from fleet_tui.programs import status as looking
+from fleet_tui.programs.status import look
 from tests.support.stand_ins import BRIDGE, KEPT, REMOTE, StandIns, with_status
 
 RUNNING, STOPPED, UNKNOWN = ProgramState.RUNNING, ProgramState.STOPPED, ProgramState.UNKNOWN

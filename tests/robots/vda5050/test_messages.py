@@ -9,7 +9,7 @@ from fleet_tui.model.commands import Stage
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.order import OrderState, Stop
 from fleet_tui.model.vehicles.events import FactsheetReported, MasterSeen
-from fleet_tui.robots.vda5050.reading import short_id
+from fleet_tui.robots.vda5050.messages import short_id
 from tests.support.vda_fleet import VehicleSite
 from tests.support.vda_messages import error, message, node, position, state
 

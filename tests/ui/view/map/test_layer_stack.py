@@ -15,8 +15,8 @@ from fleet_tui.model.geometry import MapFrame, Pose
 from fleet_tui.ui.view.map.camera import Camera
 from fleet_tui.ui.view.map.cells import Cells
 from fleet_tui.ui.view.map.drawing import Drawing
+from fleet_tui.ui.view.map.layer_stack import backdrop
 from fleet_tui.ui.view.map.layers import MapOptions
-from fleet_tui.ui.view.map.picture import backdrop
 from fleet_tui.ui.view.map.scene import Mission, Scene, SceneRobot, SceneVertex
 from fleet_tui.ui.view.roles import WALLS, StyleRole
 from tests.support.drawn_hall import EDGES, FIT, SCENE, VERTICES, drawn

@@ -13,8 +13,8 @@ from fleet_tui.model.occupancy import build_grid
 from fleet_tui.text.sanitize import cell_width
 from fleet_tui.ui.view.map.camera import Camera
 from fleet_tui.ui.view.map.drawing import Drawing
+from fleet_tui.ui.view.map.layer_stack import backdrop, picture
 from fleet_tui.ui.view.map.layers import MapOptions
-from fleet_tui.ui.view.map.picture import backdrop, picture
 from fleet_tui.ui.view.map.scene import Mission, Scene, SceneRobot, SceneVertex
 
 metres = st.one_of(st.floats(-60, 60), st.sampled_from([math.nan, math.inf, -math.inf, 1e300]))

@@ -4,7 +4,7 @@ from msgspec.structs import replace
 
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.facts import Activity
-from fleet_tui.ui.view.lately import CELLS, FIRST, LAST, RecentActivity, activity_table
+from fleet_tui.ui.view.activity_bars import CELLS, FIRST, LAST, RecentActivity, activity_table
 from tests.support.fleets import R0, T0, fleet, link_lost, link_up, pose, queue, reduced, text_of, tick
 
 IDLE = Activity.IDLE

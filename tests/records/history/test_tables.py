@@ -17,7 +17,7 @@ from fleet_tui.records.audit.entries import Origin
 from fleet_tui.records.history.database import SCHEMA, open_to_write
 from fleet_tui.records.history.observing import HOUR, Fact
 from fleet_tui.records.history.reading import History
-from fleet_tui.records.history.writing import UNSEEN, end_unseen, end_unseen_alarms, write, write_all
+from fleet_tui.records.history.tables import UNSEEN, end_unseen, end_unseen_alarms, write, write_all
 from tests.support.records import ANA
 
 ALL = (0.0, 1e12)

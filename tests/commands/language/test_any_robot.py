@@ -4,7 +4,7 @@ import re
 
 import pytest
 
-from fleet_tui.commands.language.anyone import any_matches, is_anyone, own_place, parse_anyone
+from fleet_tui.commands.language.any_robot import any_matches, is_anyone, own_place, parse_anyone
 from fleet_tui.commands.language.lookup import Place
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.text.errors import CommandError

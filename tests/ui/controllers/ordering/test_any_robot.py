@@ -10,7 +10,7 @@ from fleet_tui.model.events import BatteryReported, CargoReported, CommandPathCh
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath
 from fleet_tui.model.problem import Permissions
-from fleet_tui.ui.controllers.ordering.anyone import AnyoneOrders
+from fleet_tui.ui.controllers.ordering.any_robot import AnyoneOrders
 from tests.support.desk import Desk
 from tests.support.fleets import (
     F0,

@@ -3,7 +3,7 @@
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fleet_tui.ui.view.tables.arrival import Asked, Line, arrival_rows, first_run_rows, footer
+from fleet_tui.ui.view.tables.opening import Asked, Line, arrival_rows, first_run_rows, footer
 from fleet_tui.ui.view.tables.table import width_of
 from tests.support.fleets import text_of
 from tests.support.hostile_text import TEXTS, harmless

@@ -2,7 +2,7 @@
 
 import pytest
 
-from fleet_tui.situation.sourcing import Listening, unsourced_package
+from fleet_tui.situation.missing_packages import Listening, unsourced_package
 
 POSE = Listening("r1", "geometry_msgs/PoseStamped", 1, True)
 QUEUE = Listening("r1", "OH_ressources/ActionQueue", 1, False)

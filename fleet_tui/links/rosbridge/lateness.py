@@ -7,7 +7,7 @@ from time import monotonic
 import msgspec
 
 from fleet_tui.links.rosbridge.calls import OWN_WORD, TIME, Calls, NoAnswerError
-from fleet_tui.links.rosbridge.pulse import Pulse
+from fleet_tui.links.rosbridge.probes import Pulse
 from fleet_tui.model.events import BridgeAnswered
 from fleet_tui.robots.ros.messages import TimeAnswer
 from fleet_tui.robots.ros.operations import ServiceResponse

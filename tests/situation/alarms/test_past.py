@@ -3,7 +3,7 @@
 import pytest
 
 from fleet_tui.model.alarm import Alarm, Condition, Priority
-from fleet_tui.situation.alarms.told import told
+from fleet_tui.situation.alarms.past import told
 from fleet_tui.text.language import Message
 
 

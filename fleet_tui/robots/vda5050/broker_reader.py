@@ -13,7 +13,7 @@ from fleet_tui.robots.vda5050.adapter import VehicleAdapter
 from fleet_tui.robots.vda5050.fields import Fields
 from fleet_tui.robots.vda5050.frames import BrokerMessage, message_of
 from fleet_tui.robots.vda5050.memory import StateMemory
-from fleet_tui.robots.vda5050.reading import READERS, MessageOrigin, stamp_of
+from fleet_tui.robots.vda5050.messages import READERS, MessageOrigin, stamp_of
 from fleet_tui.robots.vda5050.topics import VehicleAddress
 from fleet_tui.text.errors import WireError
 from fleet_tui.text.language import Message

@@ -132,7 +132,7 @@ def _arrive(url: str | None, read_only: bool, drawing: str | None, debug: bool) 
 def _repeat_commands() -> None:
     """Print the commands that the first-run screen has shown: it is gone with the terminal's other screen."""
     from fleet_tui.console.first_run import LOCAL
-    from fleet_tui.ui.view.tables.arrival import commands
+    from fleet_tui.ui.view.tables.opening import commands
 
     for line, effect in commands(LOCAL):
         sys.stdout.write(f"{line:<47} {effect}\n")

@@ -1,6 +1,7 @@
 """Questions on the connection of the telemetry: the bridge answers as late as its messages come."""
 
-from fleet_tui.links.rosbridge import command_channel, soundings
+from fleet_tui.links.rosbridge import command_channel
+from fleet_tui.links.rosbridge import lateness as soundings
 from fleet_tui.model.events import BridgeAnswered
 from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.server import RosbridgeServer

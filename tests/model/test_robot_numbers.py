@@ -3,7 +3,7 @@
 import pytest
 
 from fleet_tui.commands.language.words import find_robot
-from fleet_tui.model.marks import marks_of
+from fleet_tui.model.robot_numbers import marks_of
 from fleet_tui.text.errors import CommandError
 from tests.support.fleets import fleet
 

@@ -3,8 +3,8 @@
 from pathlib import Path
 
 from fleet_tui.features.routines.files import read_routine
+from fleet_tui.features.routines.folder import RoutinePlace, look_at_all, plans_of
 from fleet_tui.features.routines.lane import Lane
-from fleet_tui.features.routines.look import RoutinePlace, look_at_all, plans_of
 from fleet_tui.features.routines.owner import RobotLocks
 from fleet_tui.features.routines.progress import RoutineProgress, progress_path, save_progress
 from tests.support.routines import MORNING, two_robots

@@ -7,7 +7,7 @@ from textual.app import ComposeResult
 from textual.screen import Screen
 
 from fleet_tui.ui.view.roles import StyleRole
-from fleet_tui.ui.view.tables.arrival import Rows, footer
+from fleet_tui.ui.view.tables.opening import Rows, footer
 from fleet_tui.ui.widgets.line_view import LineView
 from fleet_tui.ui.widgets.runs_view import RunsView
 

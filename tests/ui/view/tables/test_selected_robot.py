@@ -8,7 +8,7 @@ from fleet_tui.model.desk.events import RobotClaimed
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.ui.view.roles import StyleRole
 from fleet_tui.ui.view.tables.fleet import fleet_table
-from fleet_tui.ui.view.tables.robot_page import robot_page
+from fleet_tui.ui.view.tables.selected_robot import robot_page
 from tests.support.fleets import (
     R0,
     T0,

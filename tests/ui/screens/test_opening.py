@@ -6,7 +6,7 @@ import pytest
 from textual.app import App
 from textual.screen import Screen
 
-from fleet_tui.ui.screens.before import RowsScreen
+from fleet_tui.ui.screens.opening import RowsScreen
 from fleet_tui.ui.themes import load_themes
 from fleet_tui.ui.view.roles import StyleRole
 from fleet_tui.ui.view.tables.table import Run

@@ -8,7 +8,7 @@ from fleet_tui.links.rosbridge.rosapi import publishers
 from fleet_tui.model.events import MessagesUnsourced
 from fleet_tui.robots.adapter import Feed
 from fleet_tui.robots.ros.reading import FrameReader
-from fleet_tui.situation.sourcing import ALWAYS_THERE, Listening, unsourced_package
+from fleet_tui.situation.missing_packages import ALWAYS_THERE, Listening, unsourced_package
 
 LOOK_AFTER = 4.0
 FOR_EACH_TOPIC = 0.03
