@@ -13,6 +13,7 @@ from fleet_tui.config.load import shipped
 from fleet_tui.ui.themes import load_themes
 
 ROOT = Path(__file__).parent.parent
+pytestmark = pytest.mark.one_fork
 THEMES = {"dark", "light", "contrast", "colourblind"}
 
 

@@ -14,7 +14,7 @@ from fleet_tui.config.rights import permissions_of
 from fleet_tui.config.schema import Config
 from fleet_tui.console.announcements import announcing
 from fleet_tui.console.main_screen import MainScreen
-from fleet_tui.keys import Pane
+from fleet_tui.keys import BY_ID, Pane
 from fleet_tui.keys.keymap import keymap
 from fleet_tui.state.store import Store
 from fleet_tui.text.language import EMPTY, Message
@@ -81,10 +81,9 @@ class FleetApp(LeanApp, inherit_bindings=False):
         self._guard = self.faults = FaultGuard(partial(self.main.notices.note, stays=True))
         self.main.set_role_styles(themes[config.ui.theme].styles(colour))
         # Only the changes: Textual goes through the whole keymap at every key.
-        usual, _ = keymap({})
         pausing = {textual_key(key) for key in keys["pause_all"]}
         self.keys.guard(self.main.tell_dropped, pausing.__contains__)
-        self.set_keymap(textual_keymap({id_: key for id_, key in keys.items() if key != usual[id_]}))
+        self.set_keymap(textual_keymap({id_: key for id_, key in keys.items() if key != BY_ID[id_].keys}))
 
     def _settings(
         self, keys: dict[str, tuple[str, ...]], drawing: Drawing, terminal: str, message: Message

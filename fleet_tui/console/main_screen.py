@@ -9,6 +9,7 @@ from msgspec.structs import replace
 from rich.style import Style
 from textual import on
 from textual.app import ComposeResult
+from textual.geometry import Size
 from textual.screen import Screen
 from textual.widgets import Input
 
@@ -84,6 +85,7 @@ class MainScreen(Screen[None]):
         self.alarms = self.panes.alarms
         self.queue = self.panes.queue
         self.views: list[RunsView] = [self.status, *self.panes.views, self.message, self.hints]
+        self._sizes = list[Size]()
         self._robots = tuple(store.state.robots)
         self.notices = Notices(store, self.tick, settings.message)
         self.navigation = Navigation(store, self._mark_robot, lambda: self.features.map_controls, self.tick)
@@ -141,8 +143,11 @@ class MainScreen(Screen[None]):
         self.tick()
 
     def on_resize(self) -> None:
-        """Fill the panes at their new size."""
-        self.tick()
+        """Fill the panes at their new sizes."""
+        sizes = [self.size, *(view.size for view in self.views)]
+        if sizes != self._sizes:  # Textual sends the first size three times
+            self._sizes = sizes
+            self.tick()
         self.settings.resized()
 
     def tick(self) -> None:

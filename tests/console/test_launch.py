@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.support.cli import run
 from tests.support.in_pty import simulator
 from tests.support.terminal_session import InTerminal
 
@@ -57,25 +58,31 @@ def test_an_address_is_enough(terminals: Terminals, kind: str) -> None:
         again.ends()
 
 
-@pytest.mark.parametrize(
-    ("address", "code", "words"),
-    [
-        ("ws://127.0.0.1:9", 3, "connection refused: start rosbridge on it"),
-        ("ws://127.0.0.1:9", 3, "Each step of the way: fleet-tui doctor --url ws://127.0.0.1:9"),
-        ("robot:9090", 2, "did you mean ws://robot:9090?"),
-        ("127.0.0.1", 2, "did you mean ws://127.0.0.1:9090?"),
-        ("mqtt://robot:1883/x", 2, "has a path: a broker has none, remove it"),
-    ],
-)
-def test_what_keeps_it_from_opening_is_one_sentence(
-    terminals: Terminals, address: str, code: int, words: str
-) -> None:
-    console = terminals.open(address)
+def test_what_keeps_it_from_opening_is_one_sentence(terminals: Terminals) -> None:
+    console = terminals.open("ws://127.0.0.1:9")
     console.ends()
-    assert console.child.returncode == code
-    console.until(lambda: words in " ".join(console.sent.decode().split()), 5.0, words)
+    assert console.child.returncode == 3
+    told = "Each step of the way: fleet-tui doctor --url ws://127.0.0.1:9"
+    console.until(lambda: told in " ".join(console.sent.decode().split()), what=told)
+    assert "connection refused: start rosbridge on it" in " ".join(console.sent.decode().split())
     assert ON not in console.sent
     assert max(map(len, console.sent.decode().splitlines())) <= 120, "folded between words"
+
+
+@pytest.mark.parametrize(
+    ("address", "words"),
+    [
+        ("robot:9090", "did you mean ws://robot:9090?"),
+        ("127.0.0.1", "did you mean ws://127.0.0.1:9090?"),
+        ("mqtt://robot:1883/x", "has a path: a broker has none, remove it"),
+    ],
+)
+async def test_an_address_that_is_none_is_told_before_a_terminal_is_needed(
+    tmp_path: Path, address: str, words: str
+) -> None:
+    ended = await run(tmp_path, address)
+    assert ended.code == 2 and words in " ".join(ended.err.split())
+    assert ended.out == "" and max(map(len, ended.err.splitlines())) <= 100, "folded between words"
 
 
 @pytest.mark.parametrize("more", [{}, pytest.param({"NO_COLOR": "1"}, marks=pytest.mark.nightly)])

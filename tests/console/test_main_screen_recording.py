@@ -7,6 +7,7 @@ from fleet_tui.records.recording.indexing import open_recording
 from fleet_tui.records.recording.records import Keyframe, Mark, ReceivedFrame, SentFrame
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import Console, console
+from tests.support.planted_console import planted
 from tests.support.watched_store import config_of
 
 
@@ -60,7 +61,7 @@ async def test_where_no_disk_takes_it(server: RosbridgeServer, tmp_path: Path) -
         await running.until(lambda state: state.robots["robot_0"].paused)
 
 
-async def test_without_a_link_there_is_nothing_to_record(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 2, 2)) as running:
+async def test_without_a_link_there_is_nothing_to_record() -> None:
+    async with planted() as running:
         await record(running)
         await running.shows("nothing to record: not a live console")

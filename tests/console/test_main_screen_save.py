@@ -12,8 +12,9 @@ from fleet_tui.config.load import from_text, load
 from fleet_tui.config.saving import Saving
 from fleet_tui.config.schema import Config, Link
 from fleet_tui.simulator.server import RosbridgeServer
-from tests.support.console_pilot import Console, console
+from tests.support.console_pilot import Console
 from tests.support.discovering import discovered
+from tests.support.planted_console import SITE, planted
 from tests.support.watched_store import config_of
 
 
@@ -31,7 +32,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 async def test_what_was_found_is_kept_as_it_runs(server: RosbridgeServer, folder: Path) -> None:
     site = await discovered(server.url)
-    async with console(site.config) as it:
+    async with planted(config=site.config) as it:
         it.app.main.files.saving = Saving(site.config, site)
         await typed(it, "save")
         await it.shows("config.toml: fleet-tui opens it here")
@@ -49,7 +50,7 @@ async def test_it_asks_before_it_writes_over_a_file(server: RosbridgeServer, fol
     mine = folder / "my fleet.toml"
     mine.write_text("mine")
     mine.chmod(0o644)
-    async with console(site.config) as it:
+    async with planted(config=site.config) as it:
         it.app.main.files.saving = Saving(site.config, site)
         await typed(it, "save my fleet.toml")
         await it.shows("my fleet.toml exists. Overwrite?")
@@ -64,7 +65,7 @@ async def test_it_asks_before_it_writes_over_a_file(server: RosbridgeServer, fol
 
 async def test_where_it_can_not_be_written(server: RosbridgeServer, folder: Path) -> None:
     config = config_of(server.url, 1)
-    async with console(config) as it:
+    async with planted(config=config) as it:
         it.app.main.files.saving = Saving(config, await discovered(server.url))
         await typed(it, "save no/such/place.toml")
         await it.shows("not saved: no/such/place.toml: No such file or directory")
@@ -74,10 +75,10 @@ async def test_where_it_can_not_be_written(server: RosbridgeServer, folder: Path
         await it.shows("not saved: here: is a folder")
 
 
-async def test_a_console_with_a_file_says_so_and_writes_copies(server: RosbridgeServer, folder: Path) -> None:
-    config = config_of(server.url, 1)
+async def test_a_console_with_a_file_says_so_and_writes_copies(folder: Path) -> None:
+    config = config_of(SITE, 1)
     path = folder / "mine.toml"
-    async with console(config) as it:
+    async with planted(config=config) as it:
         it.app.main.files.saving = Saving(config_at(config, path))
         for line in ("save", "save mine.toml"):
             await typed(it, line)
@@ -105,8 +106,8 @@ def test_files_of_a_copy_are_found_from_where_it_is(tmp_path: Path) -> None:
     assert copy.bridge("rosbridge").ca_file == str(tmp_path / "site" / "ca.pem")
 
 
-async def test_a_demo_has_nothing_to_save(server: RosbridgeServer, folder: Path) -> None:
-    async with console(config_of(server.url, 1)) as it:
+async def test_a_demo_has_nothing_to_save(folder: Path) -> None:
+    async with planted() as it:
         await typed(it, "save x.toml")
         await it.shows("nothing to save")
     assert not os.listdir(folder)  # noqa: PTH208  # short, and blocks no loop that matters

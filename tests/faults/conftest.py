@@ -5,8 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from fleet_tui.links.rosbridge import heartbeat, latched, renewals
-from fleet_tui.links.rosbridge import missing_packages as sourcing
+from fleet_tui.links.rosbridge import heartbeat, latched, missing_packages, renewals
 from fleet_tui.links.transports.rosbridge import connection
 from fleet_tui.simulator.faults import wire, world
 
@@ -17,7 +16,7 @@ SHORT = (
     (heartbeat, {"EVERY": 1.0, "TIMEOUT": 1.0}),
     (renewals, {"FIRST_RENEWAL": 6.0}),
     (latched, {"FIRST_PATIENCE": 0.5}),
-    (sourcing, {"LOOK_AFTER": 2.0}),
+    (missing_packages, {"LOOK_AFTER": 2.0}),
     (wire, {"OBEYS": 3.0, "SLOW": 2.0, "AGAIN": 0.3}),
     (world, {"FOREIGN": 1.0, "FOREIGN_PAUSE": 2.0}),
 )

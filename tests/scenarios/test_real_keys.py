@@ -20,6 +20,8 @@ from tests.support.terminal_session import InTerminal, in_terminal
 DOWN, F12 = "\x1b[B", "\x1b[24~"
 YES, SEND = "y  Yes", "Enter  send"
 
+pytestmark = pytest.mark.one_fork
+
 
 class Desk:
     """A console in a terminal, in front of a bridge."""

@@ -72,7 +72,7 @@ class Reader:
         if isinstance(focused, Button) and focused.id == "simple-send" and key == "enter":
             return Allowed(text="order")
         # The marks are seen beside the rows; without any it is the selected robot.
-        meant = it.app.main.features.tables.marked._marks() or [it.app.main.navigation.robot]
+        meant = it.app.main.features.tables.robots() or [it.app.main.navigation.robot]
         if key in ("p", "r"):
             return Allowed(pauses=meant) if key == "p" else Allowed(text="resume", robot=meant)
         return Allowed()

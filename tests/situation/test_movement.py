@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from fleet_tui.model.geometry import Pose
-from fleet_tui.situation.movement import jump, moved, pace, progressed
+from fleet_tui.situation.movement import jump, moved, pace, progressed, strayed
 
 POSES = st.builds(Pose, st.floats(-50, 50), st.floats(-50, 50), st.floats(-10, 10))
 
@@ -28,10 +28,31 @@ def test_jitter_is_no_movement_and_turning_is_no_progress(other: Pose, has_moved
 
 @pytest.mark.parametrize(
     ("x", "seconds", "metres"),
-    [(0.9, 0.0, None), (3.0, 0.5, 3.0), (3.0, 1.0, None), (3.0, -0.5, 3.0), (400.0, 100.0, None)],
+    [
+        (0.9, 0.0, None),
+        (1.1, 0.1, 1.1),
+        (3.0, 0.5, 3.0),
+        (3.0, 1.0, None),
+        (3.0, -0.5, 3.0),
+        (400.0, 100.0, None),
+    ],
 )
 def test_a_jump_is_farther_than_any_robot_drives(x: float, seconds: float, metres: float | None) -> None:
     assert jump(Pose(0.0, 0.0), Pose(x, 0.0), seconds) == metres
+
+
+@pytest.mark.parametrize(
+    ("other", "is_far"),
+    [
+        (Pose(0.9, 0.0), False),
+        (Pose(1.1, 0.0), True),
+        (Pose(0.0, 0.0, 0.9), False),
+        (Pose(0.0, 0.0, 1.1), True),
+        (Pose(0.0, 0.0, math.tau), False),
+    ],
+)
+def test_a_metre_or_a_radian_needs_another_pose_of_the_localisation(other: Pose, is_far: bool) -> None:
+    assert strayed(Pose(0.0, 0.0), other) is is_far
 
 
 @given(POSES, POSES, st.floats(0.0, 100.0))

@@ -23,6 +23,16 @@ def test_a_command_ends_exactly_once_whatever_comes() -> None:
     assert not state.robots[R0].paused_by_us
 
 
+def test_an_order_has_an_id_once_it_waits_here_and_another_once_it_is_sent() -> None:
+    order = place_order(R0, 1, 2)
+    state = reduced(fleet(), *commanded(7, order, Stage.WAITING))
+    assert state.commands[0].order_id is not None
+    again = reduced(state, events.CommandAdvanced(7, Stage.WAITING, T0 + 1))
+    assert again.commands[0].order_id == state.commands[0].order_id
+    sent = reduced(state, events.CommandAdvanced(7, Stage.SENT, T0 + 2))
+    assert sent.commands[0].order_id is None
+
+
 def test_the_newest_commands_are_kept() -> None:
     commands: list[Command] = [place_order(R0, n, n) for n in range(COMMANDS_KEPT + 5)]
     state = fleet()

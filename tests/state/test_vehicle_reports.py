@@ -22,6 +22,14 @@ def test_any_newer_message_wins_over_a_last_will() -> None:
     assert site.state.is_online(site.agv)
 
 
+def test_an_action_is_carried_out_until_a_report_without_it() -> None:
+    site = VehicleSite()
+    site.read("state", state(actionStates=[{"actionId": "a", "actionStatus": "RUNNING"}]))
+    assert site.agv.acting is not None and site.agv.acting.action.id == "a"
+    site.read("state", state(actionStates=[{"actionId": "a", "actionStatus": "FINISHED"}]))
+    assert site.agv.acting is None
+
+
 def test_a_kept_last_will_is_older_than_everything() -> None:
     site = VehicleSite()
     site.read("connection", BROKEN, kept=True)

@@ -11,6 +11,7 @@ from typing import Any
 
 from rich.console import RenderableType
 from textual import events
+from textual.driver import Driver
 from textual.keys import REPLACED_KEYS, _character_to_key, _get_unicode_name_from_key
 from textual.message_pump import MessagePump
 from textual.pilot import Pilot
@@ -30,6 +31,7 @@ from fleet_tui.ui.themes import FleetTheme, load_themes
 from fleet_tui.ui.view.map.drawing import Drawing
 from tests.support.polling import HANGS
 from tests.support.watched_store import WatchedStore
+from tests.support.widget_app import screen_rows
 
 LOOK_EVERY = 0.05
 
@@ -44,7 +46,12 @@ class Console:
     @property
     def text(self) -> str:
         """The whole screen as a person reads it."""
-        return "\n".join(strip.text for strip in self.app.screen._compositor.render_strips())
+        return "\n".join(screen_rows(self.app))
+
+    @property
+    def driver(self) -> Driver:
+        assert self.app._driver is not None
+        return self.app._driver
 
     def pane(self, name: str) -> str:
         """The text of one pane, whatever lies over it."""
@@ -93,8 +100,7 @@ class Console:
         event = events.Key(named, character)
         event.set_sender(self.app)
         self._key_at = event.time = max(event.time, self._key_at + after)
-        assert self.app._driver is not None
-        self.app._driver.send_message(event)
+        self.driver.send_message(event)
 
     async def settled(self) -> None:
         """Wait until no widget has work left and what it changed is painted; not for the next tick.

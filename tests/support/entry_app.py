@@ -10,6 +10,7 @@ from fleet_tui.console.entry import EntryApp
 from fleet_tui.links.discovery.site import DiscoveredSite
 from fleet_tui.ui.themes import load_themes
 from tests.support.polling import HANGS
+from tests.support.widget_app import screen_rows
 
 PLACES = (("$FLEET_TUI_CONFIG", "not set"), ("./config.toml", "not there"), ("~/c/config.toml", "not there"))
 SIZES = [(60, 15), (80, 24), (120, 40)]
@@ -23,7 +24,7 @@ class Entry:
 
     @property
     def text(self) -> str:
-        return "\n".join(strip.text for strip in self.app.screen._compositor.render_strips())
+        return "\n".join(screen_rows(self.app))
 
     async def shows(self, *texts: str) -> None:
         """Wait until all this stands there, wherever its lines are broken."""

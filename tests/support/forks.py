@@ -7,7 +7,7 @@ import multiprocessing
 import os
 import random
 import signal
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from multiprocessing.connection import Connection, wait
 from multiprocessing.sharedctypes import Synchronized
 from typing import Any
@@ -107,8 +107,8 @@ def _run(
     temporary._basetemp.mkdir(exist_ok=True)
     signal.signal(signal.SIGINT, signal.default_int_handler)
     random.seed()
-    places = _places(taken, len(session.items))
-    place = next(places, None) if first is None else first
+    places = _places(taken, _turns(session.items), first)
+    place = next(places, None)
     while place is not None:
         following = next(places, None)
         reports.send((place, following))
@@ -124,14 +124,29 @@ def _run(
     os._exit(0)  # its parent ends the session
 
 
-def _places(taken: "Synchronized[int]", count: int) -> Iterator[int]:
+def _turns(items: Sequence[pytest.Item]) -> list[list[int]]:
+    """The places of the tests that a fork takes at a time: one, or all of a file that share what is dear."""
+    turns: list[list[int]] = []
+    for place, item in enumerate(items):
+        if item.get_closest_marker("one_fork") and place and item.path == items[place - 1].path:
+            turns[-1].append(place)
+        else:
+            turns.append([place])
+    return turns
+
+
+def _places(taken: "Synchronized[int]", turns: Sequence[list[int]], first: int | None) -> Iterator[int]:
+    """The places of the tests of one fork: first those that one which has ended had taken."""
+    for turn in turns:
+        if first in turn:
+            yield from turn[turn.index(first) :]
     while True:
         with taken.get_lock():
-            place = taken.value
+            number = taken.value
             taken.value += 1
-        if place >= count:
+        if number >= len(turns):
             return
-        yield place
+        yield from turns[number]
 
 
 class _Reporter:

@@ -10,10 +10,12 @@ from contextlib import asynccontextmanager, suppress
 from pathlib import Path
 
 import pyte
+from aiohttp import web
 from websockets.asyncio.client import ClientConnection, connect
 from websockets.exceptions import ConnectionClosed
 from websockets.typing import Origin
 
+from fleet_tui.features.serve.run import Consoles
 from tests.support.cli import config_file, started
 
 WIDTH, HEIGHT = 120, 40
@@ -21,13 +23,31 @@ WITHIN = 40.0
 """Seconds for anything: each console takes a second of a processor to start, and others want it too."""
 
 
-class Serving:
-    """A running server."""
+class Served:
+    """The page at an address."""
 
-    def __init__(self, process: Process, url: str) -> None:
-        self.process = process
+    def __init__(self, url: str) -> None:
         self.url = url
         self.place = url.removeprefix("http://").rstrip("/")
+
+    @asynccontextmanager
+    async def tab(self, origin: str | None = None) -> AsyncIterator["Page"]:
+        """A page of its own, unless another origin is named."""
+        address = f"ws://{self.place}/ws?width={WIDTH}&height={HEIGHT}"
+        ours = Origin(origin or f"http://{self.place}")
+        async with connect(address, origin=ours, open_timeout=WITHIN) as socket:
+            page = Page(socket)
+            reading = asyncio.create_task(page.read())
+            yield page
+        await reading
+
+
+class Serving(Served):
+    """A running `fleet-tui serve`."""
+
+    def __init__(self, process: Process, url: str) -> None:
+        super().__init__(url)
+        self.process = process
 
     def consoles(self) -> list[int]:
         """The processes behind its tabs."""
@@ -43,17 +63,6 @@ class Serving:
         self.process.send_signal(number)
         _, err = await asyncio.wait_for(self.process.communicate(), WITHIN)
         return self.process.returncode or 0, err.decode()
-
-    @asynccontextmanager
-    async def tab(self, origin: str | None = None) -> AsyncIterator["Page"]:
-        """A page of its own, unless another origin is named."""
-        address = f"ws://{self.place}/ws?width={WIDTH}&height={HEIGHT}"
-        ours = Origin(origin or f"http://{self.place}")
-        async with connect(address, origin=ours, open_timeout=WITHIN) as socket:
-            page = Page(socket)
-            reading = asyncio.create_task(page.read())
-            yield page
-        await reading
 
 
 class Page:
@@ -128,3 +137,15 @@ async def serving(folder: Path, url: str, *args: str) -> AsyncIterator[Serving]:
     finally:
         if process.returncode is None:
             await running.stop()
+
+
+@asynccontextmanager
+async def served_here(*command: str) -> AsyncIterator[Served]:
+    """The page, served by this process; a tab opens a console by a command."""
+    runner = web.AppRunner(Consoles(command).application("127.0.0.1"))
+    await runner.setup()
+    await web.TCPSite(runner, "127.0.0.1", 0).start()
+    try:
+        yield Served(f"http://127.0.0.1:{runner.addresses[0][1]}/")
+    finally:
+        await runner.cleanup()

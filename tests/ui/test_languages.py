@@ -13,6 +13,8 @@ from fleet_tui.text.language import Message, counted, joined, tr, translate, ver
 from fleet_tui.ui.languages import ENGLISH, use_language
 from tests.support.catalogues import LANGUAGES, LOCALES, called, catalogue, extracted, translations
 
+pytestmark = pytest.mark.one_fork
+
 
 @pytest.fixture(autouse=True)
 def english_again() -> Iterator[None]:

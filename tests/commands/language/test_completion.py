@@ -12,7 +12,7 @@ from tests.support.typed import known
 def test_only_accepted_verbs_and_robots_complete_a_line() -> None:
     state = reduced(moved(MUTE, Kind("p", accepts=(PAUSE,))), labels({1: "Base"}))
     assert complete("p", state) == ["pause ", "pause all "]
-    assert complete("cl", state) == []
+    assert complete("cl", state) == complete("clear ", state) == []
     assert complete("pause ", state) == ["pause all", "pause robot_1"]
     assert complete("robot_0 ", state) == []
     assert complete("robot_0 ", reduced(moved(FULL), labels({1: "Base"}))) == ["robot_0 Base "]
@@ -25,6 +25,7 @@ def test_only_accepted_verbs_and_robots_complete_a_line() -> None:
         ("ro", ["robot_0 ", "robot_1 "]),
         ("cl", ["clear "]),
         ("pause ", ["pause all", "pause robot_0", "pause robot_1"]),
+        ("clear ", ["clear robot_0", "clear robot_1"]),
         ("clear r", ["clear robot_0", "clear robot_1"]),
         ("cancel ", ["cancel 12", "cancel 13", "cancel robot_0 ", "cancel robot_1 "]),
         ("cancel 2 ", []),

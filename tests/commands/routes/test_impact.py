@@ -1,5 +1,6 @@
 """The orders whose way an edge is on, and their detours."""
 
+import pytest
 from msgspec.structs import replace
 
 from fleet_tui.commands.routes.impact import cut_orders
@@ -47,6 +48,12 @@ def test_a_robot_between_the_ends_has_to_turn_back() -> None:
     assert name == R0 and told.startswith("detour +")
     one_way = fleet_with(pose(T0, 14.0, 0.0), queue(T0, (1, 3, 5, "W"), current=1), robots=1, directed=True)
     assert [text for *_, text in cut(one_way, 2, 3)] == ["no way"]
+
+
+def test_the_way_to_the_graph_is_a_part_of_the_way_and_of_the_detour() -> None:
+    state = fleet_with(pose(T0, 4.0, 0.0), queue(T0, (1, 2, 3, "W"), current=1))
+    (found,) = cut_orders(state, ends_of(F0, "2", "3"))
+    assert (found.metres, found.around) == pytest.approx((16.0, 6.0 + AROUND))
 
 
 def test_without_a_graph_or_a_pose_nothing_is_told() -> None:

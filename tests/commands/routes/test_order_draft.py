@@ -4,7 +4,7 @@ start."""
 from msgspec.structs import replace
 
 from fleet_tui.commands.language.lookup import Place
-from fleet_tui.commands.routes.order_draft import SPEED, Draft, DraftRoute, draft_route, pace_of
+from fleet_tui.commands.routes.order_draft import SPEED, Draft, DraftRoute, draft_route, pace_of, stop_at
 from fleet_tui.model.events import GraphReceived
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
@@ -32,6 +32,10 @@ def state() -> FleetState:
 
 def draft(*places: Place, starts_here: bool = False) -> Draft:
     return Draft(R0, places, starts_here)
+
+
+def test_the_way_to_a_vertex_ends_at_it() -> None:
+    assert stop_at(state().robots[R0], "11") == [(F1, (("11", 0.0),))]
 
 
 def test_nothing_is_looked_for_before_there_are_two_places() -> None:

@@ -4,7 +4,7 @@ import math
 
 from fleet_tui.commands.routes.ways import Routes, routes_of
 from fleet_tui.model.geometry import Pose
-from fleet_tui.model.graph import Edge, RouteGraph, Vertex
+from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex
 from fleet_tui.model.robot import RobotMap
 
 ONE_WAY = RouteGraph(
@@ -26,6 +26,11 @@ def test_a_robot_on_a_one_way_edge_can_only_go_on() -> None:
     assert ahead[0] == "b" and math.isclose(ahead[1], math.dist((1.5, 0.2), (4.0, 0.0)))
     assert behind == ("a", math.inf)
     assert Routes(ONE_WAY).near(Pose(math.nan, 0.0)) == ()
+
+
+def test_an_elevator_is_where_its_vertex_is() -> None:
+    graph = RouteGraph({"a": Vertex("a", 0.0, 0.0), "e": Vertex("e", 4.0, 0.0, Role.ELEVATOR)}, ())
+    assert Routes(graph).elevators == (("e", 0.0),)
 
 
 def test_a_map_without_a_graph_has_no_routes() -> None:

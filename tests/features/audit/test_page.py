@@ -114,7 +114,7 @@ async def test_after_tab_its_rows_are_sorted_and_copied_like_those_of_every_tabl
 ) -> None:
     async with audited(tmp_path) as it:
         sent: list[str] = []
-        monkeypatch.setattr(it.app._driver, "write", sent.append)
+        monkeypatch.setattr(it.driver, "write", sent.append)
         await it.press("p")
         await it.shows("robot_0 pause: confirmed")
         await open_log(it, "robot_0 pause: checked")

@@ -8,6 +8,7 @@ import pytest
 from fleet_tui.features.history.controls import NO_HISTORY, SPANS, HistoryControls
 from fleet_tui.features.history.replaying import PastReplay
 from fleet_tui.text.language import EMPTY
+from fleet_tui.ui.controllers.files import ConsoleFiles
 from fleet_tui.ui.widgets.rows_pane import RowsPane
 from tests.support.desk import Desk, ready
 from tests.support.past import kept_history, put
@@ -37,8 +38,13 @@ Made = tuple[HistoryControls, View]
 
 
 @pytest.fixture
-def made(tmp_path: Path) -> Made:
-    console, view = Desk(ready()).console(), View()
+def files() -> ConsoleFiles:
+    return ConsoleFiles()
+
+
+@pytest.fixture
+def made(tmp_path: Path, files: ConsoleFiles) -> Made:
+    console, view = Desk(ready()).console(files), View()
     replaying = PastReplay(console, tmp_path, lambda: EMPTY, lambda _command: EMPTY)
     return HistoryControls(view, console, replaying), view
 
@@ -49,11 +55,11 @@ def test_without_a_history_it_says_so(made: Made) -> None:
     assert controls.shown.problem == NO_HISTORY and view.looks
 
 
-def test_a_young_history_is_shown_at_its_own_length(made: Made, tmp_path: Path) -> None:
+def test_a_young_history_is_shown_at_its_own_length(made: Made, files: ConsoleFiles, tmp_path: Path) -> None:
     controls, _ = made
     put(tmp_path, shift(time.time() - 3000))
     with kept_history(tmp_path) as writer:
-        controls._files.history = writer
+        files.history = writer
         controls.page(1)
         assert controls.span == "1 h"  # it began 50 minutes ago
         assert controls.shown.time.until - controls.shown.time.since == SPANS["1 h"]

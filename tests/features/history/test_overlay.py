@@ -61,7 +61,7 @@ async def test_its_rows_are_sorted_marked_and_copied_like_those_of_every_table(
 ) -> None:
     async with past_console(tmp_path) as it:
         sent: list[str] = []
-        monkeypatch.setattr(it.app._driver, "write", sent.append)
+        monkeypatch.setattr(it.driver, "write", sent.append)
         await it.press("S")
         await it.shows(" by robot", "history-rows")
         await it.press("slash")

@@ -28,6 +28,7 @@ from fleet_tui.state.store import Store
 from fleet_tui.text.errors import RoutineError
 from fleet_tui.text.language import Message
 from tests.support.fleets import R0, T0, commanded, link_lost, link_up, queue, tick
+from tests.support.polling import eventually
 from tests.support.routines import two_robots
 
 TWO = "for robot_0\ncarry Base Consumidores\nwait until idle\nend\nfor robot_1\nrun check\nend\n"
@@ -144,11 +145,7 @@ def test_a_program_that_succeeds_ends_its_instruction(tmp_path: Path, fifo: Call
     desk = Desk(tmp_path, "for robot_1\nrun check\nend\n")
     desk.after()
     fifo()
-    for _ in range(1000):
-        desk.after()
-        if desk.run.is_over:
-            break
-        desk.run._programs["robot_1"].join()
+    eventually(lambda: desk.after() and desk.run.is_over)
     assert desk.run.lanes["robot_1"].phase is LanePhase.DONE
 
 

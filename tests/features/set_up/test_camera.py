@@ -96,13 +96,14 @@ def test_the_newest_picture_alone_is_decoded_one_at_a_time() -> None:
 
 def test_over_the_budget_the_rate_halves() -> None:
     pane = Pane()
+    pane.view.space = (60, 10)
     pane.controls.turn(True)
     for number in range(3):
         pane.put(jpeg("red"), T0 + number)
         pane.tick(T0 + number)
         pane.work()
         pane.sent += 100_000
-    assert pane.controls._rate.every == 2.0
+    assert "0.5 fps (limit 60 kB/s)" in pane.view.heading
 
 
 def test_an_old_picture_is_marked_and_then_gone() -> None:

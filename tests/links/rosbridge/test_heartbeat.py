@@ -8,8 +8,7 @@ import pytest
 from fleet_tui.cli.status.report import attention
 from fleet_tui.config.schema import Config, Operator
 from fleet_tui.console.demo import demo_config
-from fleet_tui.links.rosbridge import calls, heartbeat
-from fleet_tui.links.rosbridge import lateness as soundings
+from fleet_tui.links.rosbridge import calls, heartbeat, lateness
 from fleet_tui.links.rosbridge import probes as pulse
 from fleet_tui.model.commands import PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.counters import RoundTrips
@@ -132,7 +131,7 @@ async def test_a_bridge_whose_nodes_answer_is_asked_nothing_that_is_an_error_in_
     ros_2: RosbridgeServer, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(heartbeat, "EVERY", 0.05)
-    for asks in (heartbeat, soundings):
+    for asks in (heartbeat, lateness):
         monkeypatch.setattr(asks, "QUICK", HANGS)
     async with linked(config_of(ros_2.url, 1)) as (link, store):
         beats = link.counters["rosbridge"].round_trips

@@ -1,7 +1,6 @@
 """Questions on the connection of the telemetry: the bridge answers as late as its messages come."""
 
-from fleet_tui.links.rosbridge import command_channel
-from fleet_tui.links.rosbridge import lateness as soundings
+from fleet_tui.links.rosbridge import command_channel, lateness
 from fleet_tui.model.events import BridgeAnswered
 from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.server import RosbridgeServer
@@ -39,4 +38,4 @@ async def test_a_frozen_rosapi_is_no_late_bridge(server: RosbridgeServer) -> Non
 
 def test_a_bridge_that_answers_in_time_is_not_silent() -> None:
     """Where no robot has anything to say, its answers are all that comes; commands must still be sent."""
-    assert soundings.EVERY + soundings.QUICK < command_channel.LONGEST_SILENCE
+    assert lateness.EVERY + lateness.QUICK < command_channel.LONGEST_SILENCE

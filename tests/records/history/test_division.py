@@ -24,5 +24,7 @@ def test_the_parts_cover_the_time(since: float, seconds: float, most: int, where
 
 def test_a_shift_is_divided_exactly_and_a_month_at_hours() -> None:
     assert divided(100.0, 100.0 + 8 * HOUR, 240).step == 120.0
+    longest = divided(1000.0, 1000.0 + EXACT, 240)
+    assert (longest.since, longest.parts) == (1000.0, 240) and longest.is_exact
     month = divided(1000.0, 1000.0 + 30 * DAY, 240)
     assert (month.since, month.step, month.parts) == (0.0, 4 * HOUR, 181) and not month.is_exact

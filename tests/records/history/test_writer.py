@@ -20,7 +20,7 @@ from fleet_tui.records.history.database import opened_to_read
 from fleet_tui.records.history.observing import Fact
 from fleet_tui.records.history.reading import History
 from fleet_tui.records.history.tables import write as usual
-from fleet_tui.records.history.writer import HistoryWriter, history_of, turn_at
+from fleet_tui.records.history.writer import HistoryWriter, history_of
 from fleet_tui.state.store import Store
 from tests.support.fleets import R0, T0, WALL, pose, queue, tick
 from tests.support.polling import eventually
@@ -203,8 +203,12 @@ def test_what_is_too_old_goes_at_the_start(
 def test_a_clock_that_jumped_removes_nothing(
     tmp_path: Path, store: Store, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    history = HistoryWriter(tmp_path / "a.sqlite", tmp_path / FILE_NAME, HistoryConfig(days=0.1), store, ANA)
-    history._clock += 86_400.0
+    with monkeypatch.context() as before:
+        wall = time.time()
+        before.setattr(time, "time", lambda: wall + 86_400.0)
+        history = HistoryWriter(
+            tmp_path / "a.sqlite", tmp_path / FILE_NAME, HistoryConfig(days=0.1), store, ANA
+        )
     history.start()
     eventually(lambda: history.pruned > 0 and rows(history.path, "links") == 1)
     history.close()
@@ -262,8 +266,9 @@ def test_an_order_that_ended_before_the_second_console_observes_has_its_end(
     other_store.apply(queue(T0 + 1, (7, 1, 2, "Q")))
     other_store.apply(queue(T0 + 3))
     other_store.apply(tick(T0 + 3))
-    second = HistoryWriter(path, path, LONG, other_store, Origin("bob", "host:2", "run2"))
-    second._turn = turn_at(path.with_name("other"))
+    other_name = path.with_name("other.sqlite")  # whose lock is free, as after the end of a process
+    other_name.symlink_to(path)
+    second = HistoryWriter(other_name, path, LONG, other_store, Origin("bob", "host:2", "run2"))
     second.start()
     eventually(lambda: ended(path))
     second.close()

@@ -25,22 +25,29 @@ CONFIG = config_of("ws://site:9090")
 
 
 @pytest.fixture
-def kept(tmp_path: Path) -> Iterator[Recordings]:
-    kept = Recordings(CONFIG, Store(fleet()), tmp_path)
+def store() -> Store:
+    return Store(fleet())
+
+
+@pytest.fixture
+def kept(tmp_path: Path, store: Store) -> Iterator[Recordings]:
+    kept = Recordings(CONFIG, store, tmp_path)
     yield kept
     kept.close()
 
 
-def tick(kept: Recordings, at: float = T0) -> None:
+def tick(kept: Recordings, store: Store, at: float = T0) -> None:
     event = events.TimePassed(at, WALL)
     kept.taps.on_event(event)
-    kept._store.apply(event)
+    store.apply(event)
 
 
-def test_the_last_minutes_are_at_hand_while_they_are_written(kept: Recordings, tmp_path: Path) -> None:
+def test_the_last_minutes_are_at_hand_while_they_are_written(
+    kept: Recordings, store: Store, tmp_path: Path
+) -> None:
     assert kept.recent() == []
     kept.keep_recent()
-    tick(kept)
+    tick(kept, store)
     (path,) = kept.recent()
     assert path.parent == tmp_path / "recent" and path.stat().st_mode & 0o777 == 0o600
     assert path.parent.stat().st_mode & 0o777 == 0o700
@@ -48,15 +55,15 @@ def test_the_last_minutes_are_at_hand_while_they_are_written(kept: Recordings, t
     assert kept.notes() == []
 
 
-def test_only_the_last_minutes_stay(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_only_the_last_minutes_stay(tmp_path: Path, store: Store, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("fleet_tui.records.recording.recorder.KEYFRAME_EVERY", 0.0)
     monkeypatch.setattr(module, "RECENT_PART", 1e-6)
     config = msgspec.structs.replace(CONFIG, recording=RecordingConfig(recent_minutes=1e-6 / 60 * 2))
-    kept = Recordings(config, Store(fleet()), tmp_path)
+    kept = Recordings(config, store, tmp_path)
     kept.keep_recent()
     first = kept.recent()
     for n in range(8):
-        tick(kept, T0 + n / 100)
+        tick(kept, store, T0 + n / 100)
     paths = kept.recent()
     assert len(paths) == 3 and not first[0].exists()
     joined = tmp_path / "joined.gz"
@@ -65,14 +72,14 @@ def test_only_the_last_minutes_stay(tmp_path: Path, monkeypatch: pytest.MonkeyPa
     kept.close()
 
 
-def test_the_bytes_of_the_last_minutes_are_bounded(tmp_path: Path) -> None:
+def test_the_bytes_of_the_last_minutes_are_bounded(tmp_path: Path, store: Store) -> None:
     config = msgspec.structs.replace(CONFIG, recording=RecordingConfig(recent_mb=1.0))
-    kept = Recordings(config, Store(fleet()), tmp_path)
+    kept = Recordings(config, store, tmp_path)
     kept.keep_recent()
     for n in range(60):
         kept.taps.on_received("rosbridge", "topics", os.urandom(100_000), True, 0.0)
         kept.recent()
-        tick(kept, T0 + n / 100)
+        tick(kept, store, T0 + n / 100)
     paths = kept.recent()
     total = sum(path.stat().st_size for path in paths)
     kept.close()
@@ -80,27 +87,31 @@ def test_the_bytes_of_the_last_minutes_are_bounded(tmp_path: Path) -> None:
     assert sorted((tmp_path / "recent").iterdir()) == paths
 
 
-def test_none_are_kept_where_none_are_wanted(tmp_path: Path) -> None:
+def test_none_are_kept_where_none_are_wanted(tmp_path: Path, store: Store) -> None:
     config = msgspec.structs.replace(CONFIG, recording=RecordingConfig(recent_minutes=0))
-    kept = Recordings(config, Store(fleet()), tmp_path)
+    kept = Recordings(config, store, tmp_path)
     kept.keep_recent()
     assert kept.recent() == [] and not (tmp_path / "recent").exists()
 
 
-def test_where_they_cannot_be_kept_that_is_said(tmp_path: Path) -> None:
+def test_where_they_cannot_be_kept_that_is_said(tmp_path: Path, store: Store) -> None:
     (tmp_path / "recent").touch()
-    kept = Recordings(CONFIG, Store(fleet()), tmp_path)
+    kept = Recordings(CONFIG, store, tmp_path)
     kept.keep_recent()
     (note,) = kept.notes()
     assert note.startswith("last minutes not kept: ") and "not writable" in note
-    tick(kept)
+    tick(kept, store)
     kept.close()
 
 
-def test_what_ended_processes_left_goes_but_for_the_last(tmp_path: Path) -> None:
+def test_what_ended_processes_left_goes_but_for_the_last(kept: Recordings, tmp_path: Path) -> None:
     gone = subprocess.Popen([sys.executable, "-c", ""])
     gone.wait()
-    host = module._host()
+    kept.keep_recent()
+    host = kept.recent()[0].name.partition("-")[0]
+    kept.close()
+    folder = tmp_path / "left"
+    folder.mkdir()
     running = os.getppid()
     names = {
         f"{host}-{gone.pid}-20240531-120000.jsonl.gz": False,
@@ -113,28 +124,28 @@ def test_what_ended_processes_left_goes_but_for_the_last(tmp_path: Path) -> None
         "mine.txt": True,
     }
     for name in names:
-        (tmp_path / name).touch()
-    remove_stale(tmp_path)
-    assert {path.name for path in tmp_path.iterdir()} == {name for name, stays in names.items() if stays}
+        (folder / name).touch()
+    remove_stale(folder)
+    assert {path.name for path in folder.iterdir()} == {name for name, stays in names.items() if stays}
     remove_stale(tmp_path / "nowhere")
 
 
-def test_a_recording_is_begun_and_ended(kept: Recordings, tmp_path: Path) -> None:
+def test_a_recording_is_begun_and_ended(kept: Recordings, store: Store, tmp_path: Path) -> None:
     assert kept.stop() == "no recording running"
     path = kept.start()
     assert path.parent == tmp_path / "recordings"
     assert kept.notes() == ["rec 0 s"] and kept.recorder is not None
-    tick(kept)
+    tick(kept, store)
     said = kept.stop()
     assert said.startswith("recorded 0 s, 0.0 MB: ") and said.endswith(str(path))
     assert kept.notes() == [] and open_recording(path).note == ""
 
 
 def test_a_recording_that_is_not_written_is_not_called_one(
-    kept: Recordings, monkeypatch: pytest.MonkeyPatch
+    kept: Recordings, store: Store, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     path = kept.start()
-    tick(kept)
+    tick(kept, store)
     path.unlink()
     recorder = kept.recorder
     assert recorder is not None and recorder.flush()
@@ -163,9 +174,9 @@ def test_each_recording_has_the_robots_of_its_time(tmp_path: Path, monkeypatch: 
     kept = Recordings(before, store, tmp_path)
     kept.keep_recent()
     first = [kept.start(), *kept.recent()]
-    tick(kept)
+    tick(kept, store)
     kept.extend(after, lambda: store.put(extended(store.state, after)))
-    tick(kept, T0 + 1)
+    tick(kept, store, T0 + 1)
     assert kept.recorder is not None
     second = [kept.recorder.path, *kept.recent()]
     kept.close()

@@ -38,6 +38,18 @@ def test_types_that_are_read_alike_and_spellings_of_ros_2_are_taken() -> None:
     assert other.types == {"queue": "oh_ressources/msg/ActionQueue"} and other.robots == {"r1": ["hall"]}
 
 
+def test_a_service_of_another_type_is_noted_and_one_that_tells_none_is_not() -> None:
+    key, (name, _) = next(iter(SERVICES.items()))
+    for type_, notes in (
+        ("other_msgs/Other", f'{key} = "other_msgs/Other"   # if the fields match'),
+        ("", ""),
+    ):
+        there = services("r1") | {name.format(robot="r1"): type_}
+        assert notes in str(discover(Listed(usual("r1"), there)).notes) and bool(notes) is bool(
+            discover(Listed(usual("r1"), there)).notes
+        )
+
+
 def test_poses_alone_are_a_guess() -> None:
     found = discover(Listed({"/r1/pose": "geometry_msgs/PoseStamped"}, {}))
     assert found.is_guess and found.robots == {"r1": []}

@@ -20,7 +20,7 @@ def test_what_a_bridge_may_say_is_read_as_it_is(said: object) -> None:
     assert read_cbor(cbor2.dumps(said)) == said
 
 
-@pytest.mark.parametrize("tag", [0, 2, 28, 36, 258])
+@pytest.mark.parametrize("tag", [*range(6), 28, 30, *range(35, 38), 52, 54, 100, 258, 260, 261, 1004, 43000])
 def test_tags_that_would_become_more_than_values_are_refused(tag: int) -> None:
     with pytest.raises(ValueError, match="semantic tag"):
         read_cbor(cbor2.dumps({"a": cbor2.CBORTag(tag, b"\x01")}))

@@ -268,6 +268,19 @@ def test_a_vehicle_whose_factsheet_lists_no_request_of_its_state_is_not_asked() 
     assert found.adapter.state_request(found.agv, UNIQUE) == ()
 
 
+def test_a_vehicle_that_charges_is_freed_if_its_factsheet_offers_that() -> None:
+    found = site()
+    found.read("factsheet", charging("INSTANT"))
+    assert found.adapter.stop_charging(found.agv, UNIQUE) is None, "it does not charge"
+    found.read("state", state(batteryState={"batteryCharge": 50.0, "charging": True}))
+    asked = found.adapter.stop_charging(found.agv, UNIQUE)
+    assert asked is not None
+    (action,) = list(asked.message["actions"])  # type: ignore[call-overload]  # of a list
+    assert action["actionType"] == "stopCharging"
+    found.read("factsheet", charging("NODE"))
+    assert found.adapter.stop_charging(found.agv, UNIQUE) is None
+
+
 def test_an_order_whose_last_action_is_the_charging_begins_that_once() -> None:
     found = site('actions.drop = { actionType = "startCharging" }')
     found.apply(events.FloorGraphLoaded("hall", CHARGERS))

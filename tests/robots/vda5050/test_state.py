@@ -82,6 +82,19 @@ def test_a_charge_outside_its_scale_is_named() -> None:
     assert charge_of(fields) is None and fields.faults == ["charge is 5000, not between 0 and 100"]
 
 
+def test_a_charge_at_an_end_of_its_scale_is_one() -> None:
+    for charge in (0.0, 0.5, 100.0):
+        fields = Fields.of(state(batteryState={"batteryCharge": charge}))
+        assert charge_of(fields) == charge and fields.faults == []
+
+
+def test_the_speed_is_that_of_the_directions_that_are_reported() -> None:
+    assert read(state(velocity={"vx": -3.0, "vy": 4.0})).speed == 5.0
+    assert read(state(velocity={"vx": -3.0})).speed == 3.0
+    assert read(state(velocity={"vy": 4.0})).speed == 4.0
+    assert read(state(velocity={"omega": 1.0})).speed is None
+
+
 def test_nodes_with_places_are_a_graph() -> None:
     nodes = [node("a", 0, x=0.0), node("b", 2, x=1.0), node("c", 4)]
     edges = [

@@ -2,17 +2,15 @@
 
 from fleet_tui.features.history.overlay import HistoryOverlay
 from fleet_tui.keys import BY_ID, KEYS, Pane
-from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.ui.widgets.rows_pane import row_actions
-from tests.support.console_pilot import console
-from tests.support.watched_store import config_of
+from tests.support.planted_console import planted
 
 OWN = (Pane.ROWS, Pane.DIAGNOSTICS, Pane.HISTORY)
 """Panes that run their keys themselves."""
 
 
-async def test_every_key_has_an_action(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1)) as it:
+async def test_every_key_has_an_action() -> None:
+    async with planted() as it:
         features = it.app.main.features
         of_panes = [
             *row_actions(it.app.main.fleet),

@@ -34,7 +34,7 @@ async def test_rows_fill_the_page_and_keys_stand_below(size: tuple[int, int]) ->
         page = pilot.app.screen
         assert isinstance(page, Page)
         assert text(page.page)[0].strip() == f"{size[0]} x {size[1] - 1}"
-        assert "enter open" in text(page._footer)[0] and page.focused is None
+        assert "enter open" in text(page.query_one("#keys"))[0] and page.focused is None
         await pilot.resize_terminal(40, 10)
         await pilot.pause()
         assert text(page.page)[0].strip() == "40 x 9"

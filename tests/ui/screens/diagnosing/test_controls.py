@@ -76,7 +76,7 @@ async def test_enter_shows_the_whole_of_a_line_that_is_cut_and_hides_it_again(
 async def test_copies_by_osc_52(server: RosbridgeServer, monkeypatch: pytest.MonkeyPatch) -> None:
     async with console(config_of(server.url, 2, 2)) as it:
         sent: list[str] = []
-        monkeypatch.setattr(it.app._driver, "write", sent.append)
+        monkeypatch.setattr(it.driver, "write", sent.append)
         monkeypatch.delenv("TMUX", raising=False)
         await it.press("d", "2", "down", "enter", "y")
         await it.shows("copied to the clipboard: the message of /robot_0/queue")

@@ -9,21 +9,20 @@ from fleet_tui.model.link import Phase
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import console
-from tests.support.ordering import one_packet, order, place, sent, vertex
+from tests.support.ordering import one_packet, order, place
 from tests.support.planted_console import SITE, planted
 from tests.support.watched_store import config_of
 
 
-async def test_an_order_by_keyboard_is_driven_and_leaves_the_queue(server: RosbridgeServer) -> None:
-    async with console(config_of(server.url, 1)) as it:
+async def test_an_order_by_keyboard_is_driven_and_leaves_the_queue() -> None:
+    async with planted() as it:
         await place(it)
         await it.shows("Base -> Consumidores", "queue")
         await it.shows("confirmed (seen in the queue as order 1)")
-        start, end = vertex(it, "Base"), vertex(it, "Consumidores")
-        assert sent(server) == [("Execute_order", {"initial_point": start, "end_point": end})]
+        assert it.sent == [order(it, "Base", "Consumidores")]
         # Faster than it would be driven: the world is ours.
         for _ in range(3000):
-            server.world.step(0.1)
+            it.fleet.world.step(0.1)
         await it.until(lambda state: not state.robots["robot_0"].orders.orders)
         await it.shows("no orders", "queue")
 
@@ -86,13 +85,13 @@ async def test_ctrl_c_commands_nothing_and_does_not_leave() -> None:
         assert it.sent == []
 
 
-async def test_a_refusal_stands_in_the_robots_own_words(server: RosbridgeServer) -> None:
+async def test_a_refusal_stands_in_the_robots_own_words() -> None:
     service = "/robot_0/Application_layout/Execute_order"
-    server.bridge.services.answers[service] = lambda args: {
-        "request_id": 1,
-        "status": "REJECTED: [red]door closed",
-    }
-    async with console(config_of(server.url, 1)) as it:
+    async with planted() as it:
+        it.fleet.server.bridge.services.answers[service] = lambda args: {
+            "request_id": 1,
+            "status": "REJECTED: [red]door closed",
+        }
         await place(it)
         await it.shows("refused (REJECTED: [red]door closed)")
 
@@ -134,7 +133,7 @@ async def test_loss_and_return_of_the_server_are_shown_and_heal() -> None:
         await second.stop()
 
 
-async def test_a_start_before_the_server(server: RosbridgeServer) -> None:
+async def test_a_start_before_the_server() -> None:
     async with console(config_of("ws://127.0.0.1:9", 1), wait=False) as it:
         await it.shows("no link")
         await it.shows("never seen", "fleet")
@@ -149,7 +148,7 @@ async def test_read_only_stands_on_the_screen(server: RosbridgeServer) -> None:
         await it.shows("read-only")
         await it.press("p")
         await it.shows("not sent (this console is read-only)")
-        assert sent(server) == []
+        assert server.bridge.services.calls == []
 
 
 async def test_a_console_that_is_not_armed_sends_nothing_but_pauses_until_it_is() -> None:

@@ -78,9 +78,10 @@ async def test_a_tick_waits_for_a_letter_but_not_for_long(monkeypatch: pytest.Mo
     async with planted(3) as it:
         line = it.app.main.features.tables.filter_line
         assert not line.goes_first
+        typed_at = 100.0
+        monkeypatch.setattr(tools, "time", SimpleNamespace(monotonic=lambda: typed_at))
         await it.press("/")
         await it.type("1")
-        typed_at = line._typed_at
         goes_first = []
         for seconds in (0.1, 0.2, 0.25, 0.31, 0.4):
             monkeypatch.setattr(tools, "time", SimpleNamespace(monotonic=lambda s=seconds: typed_at + s))
