@@ -2,24 +2,29 @@
 
 from collections.abc import Iterable, Set
 
+from fleet_tui.model.alarm import Priority
 from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.facts import Activity
 from fleet_tui.model.robot import Robot
 from fleet_tui.situation.alarms.trouble import is_halted
 from fleet_tui.situation.battery.charging import charging_reported
-from fleet_tui.situation.facts import AGE_UNKNOWN, BAD_DATA
+from fleet_tui.situation.facts import AGE_UNKNOWN, BAD_DATA, OBSTACLE, STUCK
 from fleet_tui.situation.pauses import is_held
 from fleet_tui.situation.pose_checks.jumps import is_jumping
-from fleet_tui.situation.reported_motion import running_action, says_driving
-from fleet_tui.situation.robots import absence
+from fleet_tui.situation.reported_motion import is_stuck, running_action, says_driving
+from fleet_tui.situation.robots import absence, obstacle
+from fleet_tui.situation.vehicles import FINDERS
 from fleet_tui.situation.why.orders import at_stop
 from fleet_tui.situation.why.robot import charges
+from fleet_tui.text.language import Message
 
 MOVES_WITHIN = 2.0
 """Seconds without a change of its pose for which a robot still counts as driving: it turns, it brakes."""
 BEGINS_FOR = 5.0
 """Seconds of a link in which a pose may be the first one."""
+OBSTRUCTED = Message("obstacle")
+BLOCKED = Message("blocked")
 LOADS = frozenset({"pick", "drop"})
 """Types of actions that load and unload."""
 OBSTRUCTIONS = frozenset({"stuck", "obstacle", "blocked", "navigation"})
@@ -60,6 +65,17 @@ def _activity(state: FleetState, robot: Robot, blocked: Set[str], kept: Set[str]
     if robot.orders.open or robot.name in kept:
         return Activity.LOADING if at_stop(state, robot) else Activity.WAITING
     return Activity.CHARGING if charges(state, robot) else Activity.IDLE
+
+
+def halt_word(state: FleetState, robot: Robot) -> Message:
+    """Return what keeps a robot that is blocked: the word of its row and of the counts."""
+    if (fact := obstacle(state, robot)) is not None:
+        return OBSTRUCTED if fact.kind is OBSTACLE else BLOCKED
+    if robot.vehicle is not None and state.is_fresh(robot, "vehicle"):
+        for find in FINDERS:
+            if (fact := find(robot)) is not None and fact.priority is Priority.HIGH:
+                return fact.kind.word
+    return STUCK.word if is_stuck(state, robot) else BLOCKED
 
 
 def may_do_anything(state: FleetState, robot: Robot) -> bool:

@@ -150,9 +150,10 @@ ADRIFT = OLD_STAMPS._replace(
 REPEATED_POSE = OLD_STAMPS._replace(word=Message("poses repeat at rest"))
 UNDATED_POSE = OLD_STAMPS._replace(word=Message("pose of unknown age"))
 NO_POSE = OLD_STAMPS._replace(
-    word=Message("no pose"),
+    word=Message("pose missing"),
     remedy=Message("Pause it, and check its localisation: its node, its laser, the topic's name"),
 )
+MISPLACED = OLD_STAMPS._replace(word=Message("pose doubtful"))
 UNCERTAIN = OLD_STAMPS._replace(word=Message("localisation uncertain"), keys=("pose", "centre"))
 BAD_DATA = FactKind(
     N_("data"),
@@ -275,6 +276,21 @@ STILL_MOVING = STOPPING._replace(
 DESPITE_PAUSE = STILL_MOVING._replace(
     word=Message("driving despite pause"), remedy=Message("Pause it again, or find out who drives it")
 )
+STUCK = FactKind(
+    N_("stuck"),
+    Message("stuck"),
+    Message("no longer stuck"),
+    AlarmClass(
+        "medium",
+        "no movement for `stuck_after` in spite of an order, without an obstacle or a pause;"
+        " a later one does not end it",
+        "its order is not carried out",
+        Message("Press w for the reasons; cancel the order or go to the robot"),
+        10,
+    ),
+    keys=("centre", "cancel", "clear"),
+    page="log",
+)
 BY_HAND = FactKind("mode", Message("mode"), remedy=Message("Switch it to automatic at the vehicle"))
 CLEARANCE = FactKind(
     "clearance",
@@ -306,6 +322,7 @@ FACTS = (
     REPEATED_POSE,
     UNDATED_POSE,
     NO_POSE,
+    MISPLACED,
     UNCERTAIN,
     BAD_DATA,
     OBSTACLE,
@@ -319,6 +336,7 @@ FACTS = (
     STOPPING,
     STILL_MOVING,
     DESPITE_PAUSE,
+    STUCK,
     BY_HAND,
     CLEARANCE,
     MAP_DISABLED,

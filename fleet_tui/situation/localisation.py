@@ -45,8 +45,7 @@ def no_pose(state: FleetState, robot: Robot) -> Fact | None:
         return None
     remedy = bridge_remedy(state, robot, robot.kind.pose_topic)
     if robot.pose is not None:
-        text: Message = Message("no pose for {age}", age=age(state.now - robot.pose.at))
-        short: Message = Message("pose {age} old", age=age(state.now - robot.pose.at))
+        text = Message("pose {age} old", age=age(state.now - robot.pose.at))
         since, evidence = robot.pose.at, Message("other reports arrive: the robot may have moved since")
         if _lacks_odometry(state, robot):
             topic = robot.kind.odometry_topic.replace("{robot}", robot.name)
@@ -54,7 +53,7 @@ def no_pose(state: FleetState, robot: Robot) -> Fact | None:
             remedy = bridge_remedy(state, robot, robot.kind.odometry_topic) or NO_ODOMETRY
     elif inactive(state, robot) is None:
         topic = robot.kind.pose_topic.replace("{robot}", robot.name)
-        text, short = Message("no pose received"), Message("pose missing")
+        text = NO_POSE.word
         since = state.began.get((robot.name, NO_POSE.name), state.now)
         evidence = Message(
             "other reports received, no pose{topic}: position unknown",
@@ -63,7 +62,7 @@ def no_pose(state: FleetState, robot: Robot) -> Fact | None:
     else:
         return None
     return Fact(
-        NO_POSE, robot.name, text, Priority.MEDIUM, since, remedy=remedy, short=short, evidence=evidence
+        NO_POSE, robot.name, text, Priority.MEDIUM, since, remedy=remedy, short=text, evidence=evidence
     )
 
 

@@ -8,7 +8,7 @@ from fleet_tui.model.order import BEGUN
 from fleet_tui.model.robot import Robot
 from fleet_tui.model.vehicles.vehicle import CurrentAction, Vehicle
 from fleet_tui.situation.fact import Fact
-from fleet_tui.situation.facts import DESPITE_PAUSE, STILL_MOVING, STOPPING
+from fleet_tui.situation.facts import DESPITE_PAUSE, STILL_MOVING, STOPPING, STUCK
 from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.text.units import age
 
@@ -59,6 +59,18 @@ def stands_with_order(robot: Robot) -> float:
     if robot.pose is None or trace is None or trace.began_at is None:
         return robot.still_for
     return min(robot.still_for, max(0.0, robot.pose.at - trace.began_at))
+
+
+def is_stuck(state: FleetState, robot: Robot) -> bool:
+    """Tell whether an alarm holds that it has not moved in spite of its order."""
+    return any(alarm.holds and alarm.key == (robot.name, STUCK.name) for alarm in state.alarms)
+
+
+def waits_for(state: FleetState, robot: Robot) -> float:
+    """Return the seconds for which a robot stands with its order: the same in its row, alarm and reasons."""
+    if is_stuck(state, robot) and robot.place is not None:
+        return state.now - robot.place.at
+    return stands_with_order(robot)
 
 
 def is_moving(robot: Robot, now: float) -> bool:

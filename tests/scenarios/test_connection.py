@@ -102,5 +102,5 @@ async def test_a_robot_that_starts_anew_counts_from_nothing_again(server: Rosbri
             await it.until(lambda state: not state.robots[R0].orders.orders)
         await it.shows("no orders", "queue")
         await it.press("w")
-        await it.shows("▶ 1. order: lost")
+        await it.shows("▶ 1. lost: order")
         assert calls(server) == ["Execute_order", "Execute_order"]

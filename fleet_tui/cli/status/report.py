@@ -16,7 +16,7 @@ from fleet_tui.model.order import Stop
 from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.situation.alarms.trouble import to_look_at
 from fleet_tui.situation.fact import Fact
-from fleet_tui.situation.facts import OBSTACLE
+from fleet_tui.situation.facts import OBSTACLE, STOP
 from fleet_tui.situation.links import behind, dead_commands, late_link, no_link, untried_commands
 from fleet_tui.situation.pauses import is_held
 from fleet_tui.situation.robots import absence, blocked_robots
@@ -138,11 +138,11 @@ def attention(state: FleetState) -> list[str]:
     facts += [no_link(state, link) or dead_commands(link) for link in state.links.values()]
     facts += [fact for fact in untried(state) if fact.priority is not Priority.LOW]
     lines = [f"{fact.source}: {fact.text}" for fact in facts if fact is not None]
-    if blocked := blocked_robots(state):
+    alarms = [alarm for alarm in state.alarms if alarm.holds]
+    told = {alarm.condition.source for alarm in alarms if alarm.condition.kind in (OBSTACLE.name, STOP.name)}
+    if blocked := [name for name in blocked_robots(state) if name not in told]:
         lines.append(f"{counted(len(blocked), 'robot')} {OBSTACLE.word}: {some(blocked)}")
-    for alarm in state.alarms:
-        if alarm.holds:
-            lines.append(f"{alarm.condition.source}: {alarm.text}")
+    lines += [f"{alarm.condition.source}: {alarm.text}" for alarm in alarms]
     lines += _unknown(state)
     lines += [line for name in to_look_at(state) if name not in blocked for line in _first_news(state, name)]
     # An alarm may have reported it already.

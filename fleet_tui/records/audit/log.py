@@ -191,12 +191,12 @@ class Audit:
             if self._written != written:
                 written = self._written
                 idle = 0.0
-            # A late look tells of a busy machine; so does a line that is not handed to the disk yet.
-            elif self._is_writing and took < LOOK + ON_TIME:
-                idle += took
-            longest += took if took < LOOK + ON_TIME else 0.0
-            is_late = idle > PATIENCE or longest > LONGEST
-            if is_late and self._is_writing and not self._worker.waits_for_processor:
+            # A late look tells of a busy machine, and so does a thread that could run.
+            if took < LOOK + ON_TIME and not self._worker.waits_for_processor:
+                longest += took
+                # A line that is not handed to the disk yet is not the disk's.
+                idle += took if self._is_writing else 0.0
+            if self._is_writing and (idle > PATIENCE or longest > LONGEST):
                 self._hangs = True
                 LOG.error("audit: not written: %s: %s", self.file.path, HANGS)
                 break

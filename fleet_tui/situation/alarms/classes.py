@@ -6,14 +6,6 @@ from fleet_tui.situation.facts import FACTS
 from fleet_tui.text.language import N_, Message
 
 CLASSES = {
-    N_("stuck"): AlarmClass(
-        "medium",
-        "no movement for `stuck_after` in spite of an order, without an obstacle or a pause;"
-        " a later one does not end it",
-        "its order is not carried out",
-        Message("Press w for the reasons; cancel the order or go to the robot"),
-        10,
-    ),
     "command": AlarmClass(
         "medium",
         "a command was refused, not confirmed or carried out late; an order ended neither done nor cancelled"

@@ -25,7 +25,7 @@ from fleet_tui.situation.battery.charging import (
 )
 from fleet_tui.situation.causes import cause_of_standing
 from fleet_tui.situation.fact import Fact
-from fleet_tui.situation.facts import BAD_DATA, DESPITE_PAUSE, SILENT
+from fleet_tui.situation.facts import BAD_DATA, DESPITE_PAUSE, SILENT, STUCK
 from fleet_tui.situation.failures import failed_commands
 from fleet_tui.situation.navigation import silent_navigation
 from fleet_tui.situation.pauses import is_held
@@ -130,7 +130,7 @@ def stuck(state: FleetState, robot: Robot, active: ActiveConditions) -> Conditio
         return None
     if running_action(state, robot) is not None or (robot.is_estimated and says_driving(state, robot)):
         return None
-    began = state.began.get((robot.name, "stuck"), state.now)
+    began = state.began.get((robot.name, STUCK.name), state.now)
     due = began + state.limits.stuck_after - STILL
     is_paused = is_held(state, robot)
     if is_paused and due > state.began.get((robot.name, "pause"), state.now):
@@ -139,12 +139,13 @@ def stuck(state: FleetState, robot: Robot, active: ActiveConditions) -> Conditio
     # An obstacle explains it only where that is an alarm: contact that comes and goes may never be one.
     explained = not known or is_blocked_for_long(state, robot)
     explained = explained or silent_navigation(state, robot) is not None
-    if explained and not was_active(active, robot.name, robot.link, "stuck"):
+    if explained and not was_active(active, robot.name, robot.link, STUCK.name):
         return None
     cause, driven = cause_of_standing(state, robot), robot.order_text(order)
     text = Message(
-        "{paused}no movement for {age} ({driven})",
+        "{paused}{word} for {age} ({driven})",
         paused=Message("paused, ") if is_paused else "",
+        word=STUCK.word,
         age=age(state.now - place.at),
         driven=driven,
     )
@@ -152,12 +153,13 @@ def stuck(state: FleetState, robot: Robot, active: ActiveConditions) -> Conditio
         text = Message("{driven}: not moving at last report", driven=driven)
     elif cause:
         text = Message(
-            "no movement for {age}: {cause} ({driven})",
+            "{word} for {age}: {cause} ({driven})",
+            word=STUCK.word,
             age=age(state.now - place.at),
             cause=Message(cause),
             driven=driven,
         )
-    return Condition(robot.name, "stuck", Priority.MEDIUM, text, Message("no longer stuck"), due)
+    return Condition(robot.name, STUCK.name, Priority.MEDIUM, text, STUCK.over, due)
 
 
 def bad_data(state: FleetState, source: Robot | LinkState, _active: ActiveConditions) -> Condition | None:

@@ -7,7 +7,7 @@ from msgspec import Struct
 
 from fleet_tui.model.alarm import Condition, Key, Priority
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.situation.facts import NEVER_SEEN
+from fleet_tui.situation.facts import NEVER_SEEN, STUCK
 from fleet_tui.text.language import Message, counted
 from fleet_tui.text.limits import some
 
@@ -29,7 +29,7 @@ class Flood(Struct, frozen=True):
 
 FLOODS = {
     "offline": Flood(Message("offline"), Message("robots back online"), Priority.HIGH),
-    "stuck": Flood(Message("with an order, not moving"), Message("no longer stuck"), Priority.MEDIUM),
+    "stuck": Flood(STUCK.word, STUCK.over, Priority.MEDIUM),
     "pause": Flood(Message("in a long pause"), Message("pauses ended"), Priority.LOW),
     "localisation": Flood(
         Message("with an uncertain position"), Message("localisation recovered"), Priority.MEDIUM

@@ -7,7 +7,7 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.orders.local_queue import HELD_BY_OTHERS, orders_to_save
 from fleet_tui.situation.alarms.floods import ActiveConditions, was_active
 from fleet_tui.situation.causes import cause_of_end, remedy_of
-from fleet_tui.situation.facts import UNCERTAIN
+from fleet_tui.situation.facts import MISPLACED, UNCERTAIN
 from fleet_tui.situation.failures import FAILED_FOR
 from fleet_tui.situation.localisation import FOUND_BELOW, LOST_ABOVE, no_pose, uncertain
 from fleet_tui.situation.navigation import inactive, silent_navigation
@@ -36,11 +36,12 @@ def not_sure_where(state: FleetState, robot: Robot, active: ActiveConditions) ->
     if (since := misplaced_for_long(state, robot)) is None or robot.misplaced is None:
         return None
     text = Message(
-        "localisation wrong for {age}: {fault}",
+        "{word} for {age}: {fault}",
+        word=MISPLACED.word,
         age=age(state.now - since),
         fault=Message(robot.misplaced.value),
     )
-    return Condition(robot.name, "localisation", Priority.MEDIUM, text, Message("localisation recovered"))
+    return Condition(robot.name, MISPLACED.name, Priority.MEDIUM, text, MISPLACED.over)
 
 
 def _pose_lost(state: FleetState, robot: Robot, active: ActiveConditions) -> Condition | None:

@@ -21,8 +21,8 @@ BESIDE = 0.1
 
 LiveMaps = Mapping[str, OccupancyGrid]
 """By floors."""
-WALL = N_("pose inside a wall")
-OFF_ROUTE = N_("pose off the route graph")
+WALL = N_("inside a wall")
+OFF_ROUTE = N_("off the route graph")
 TURNS = 5
 """Parts of many robots that are looked at one after the other."""
 NOW = 1.0
@@ -147,7 +147,7 @@ def _text(state: FleetState, robot: Robot, live: LiveMaps) -> str:
     reach = max(robot.size or SIZE)
     away = max(-column, column - frame.width, -row, row - frame.height) * frame.resolution
     is_off = away > reach or not _is_free(grid, frame, column, row, reach)
-    return Message("pose off the map") if is_off and not mapping_text(robot) else ""
+    return Message("off the map") if is_off and not mapping_text(robot) else ""
 
 
 def _is_free(grid: OccupancyGrid, frame: MapFrame, column: float, row: float, reach: float) -> bool:

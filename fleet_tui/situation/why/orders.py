@@ -19,9 +19,11 @@ from fleet_tui.orders.local_queue import waiting
 from fleet_tui.orders.newest import last_command
 from fleet_tui.situation.alarms.classes import CLASSES
 from fleet_tui.situation.causes import cause_of_end, remedy_of
+from fleet_tui.situation.facts import STUCK
 from fleet_tui.situation.failures import failure_remedy
 from fleet_tui.situation.links import is_late, unsourced
 from fleet_tui.situation.navigation import silent_navigation
+from fleet_tui.situation.reported_motion import is_stuck, waits_for
 from fleet_tui.situation.robots import last_contact
 from fleet_tui.situation.why.reason import (
     LOOK_AT,
@@ -58,15 +60,12 @@ def command(state: FleetState, robot: Robot) -> Reason | None:
     remedy = failure_remedy(state, robot, record) or CLASSES["command"].action if failed else EMPTY
     if record.stage is Stage.FAILED and remedy_of(evidence):
         keys = (*LOOK_AT, *keys, "diagnostics")
-    return Reason(
-        Message("{verb}: {stage}", verb=verb, stage=Message(record.stage.value)),
-        evidence,
-        strength,
-        since=record.at,
-        keys=keys,
-        remedy=remedy,
-        page="log",
-    )
+    stage = Message(record.stage.value)
+    # A failure as its alarm and its row have it.
+    name = Message("{verb}: {stage}", verb=verb, stage=stage)
+    if failed:
+        name = Message("{stage}: {verb}", verb=verb, stage=stage)
+    return Reason(name, evidence, strength, since=record.at, keys=keys, remedy=remedy, page="log")
 
 
 def failed_order(state: FleetState, robot: Robot) -> Reason | None:
@@ -238,13 +237,10 @@ def unexplained(state: FleetState, robot: Robot) -> Reason | None:
     evidence = Message(
         "{mission} active{ruled_out}", mission=mission(robot, order), ruled_out=ruled_out and "; " + ruled_out
     )
+    waited = age(waits_for(state, robot))
     if since is not None and state.now - since < SHORT:  # a turn, a crossing, loading: it may drive on
-        return Reason(
-            Message("stopped {age} ago, nothing wrong so far", age=age(state.now - since)),
-            evidence,
-            Strength.NONE,
-        )
-    keys = ("centre", "cancel", "clear")
-    return Reason(
-        Message("cause unknown"), evidence, Strength.NONE, since, keys=keys, remedy=LOOK, page="log"
-    )
+        return Reason(Message("waiting {age}, nothing wrong so far", age=waited), evidence, Strength.NONE)
+    word = STUCK.word if is_stuck(state, robot) else Message("waiting")
+    name = Message("{word} {age}: cause unknown", word=word, age=waited)
+    kind = STUCK
+    return Reason(name, evidence, Strength.NONE, since, keys=kind.keys, remedy=LOOK, page=kind.page)

@@ -11,7 +11,7 @@ from fleet_tui.orders.newest import own_pause
 from fleet_tui.situation import links
 from fleet_tui.situation.alarms.classes import CLASSES
 from fleet_tui.situation.battery.charging import charger_used, charging_remedy, charging_reported
-from fleet_tui.situation.facts import BAD_DATA, NO_POSE
+from fleet_tui.situation.facts import BAD_DATA, MISPLACED, NO_POSE
 from fleet_tui.situation.localisation import no_pose
 from fleet_tui.situation.movement import JUMPS_WITHIN
 from fleet_tui.situation.pauses import is_held, own_pause_text
@@ -118,8 +118,15 @@ def paused(state: FleetState, robot: Robot) -> Reason | None:
     if robot.paused is None:
         name = own_pause_text(state, robot)
         return Reason(name, Message("pause accepted by the robot"), since=since, keys=("resume",))
-    by = Message("sent by this console") if since is not None else Message("not sent by this console")
-    return Reason(Message("paused"), by, since=since, seen=robot.paused.at, keys=("resume",))
+    is_own = since is not None
+    by = Message("sent by this console") if is_own else Message("not sent by this console")
+    return Reason(
+        Message("paused") if is_own else Message("paused (elsewhere)"),
+        by,
+        since=since,
+        seen=robot.paused.at,
+        keys=("resume",),
+    )
 
 
 def not_stopped(state: FleetState, robot: Robot) -> Reason | None:
@@ -191,9 +198,7 @@ def jumps(state: FleetState, robot: Robot) -> Reason | None:
         return None
     last, name = (
         recent[-1],
-        Message(
-            "localisation jumps: {jumps} in {seconds} s", jumps=len(recent), seconds=f"{JUMPS_WITHIN:.0f}"
-        ),
+        Message("pose jumps: {jumps} in {seconds} s", jumps=len(recent), seconds=f"{JUMPS_WITHIN:.0f}"),
     )
     evidence, keys = (
         Message("last by {metres} m: do not trust its pose", metres=f"{last.value:.1f}"),
@@ -216,7 +221,8 @@ def misplaced(state: FleetState, robot: Robot) -> Reason | None:
     strength = Strength.CERTAIN if is_sure else Strength.LIKELY
     strength = strength if state.is_fresh(robot, "pose") else Strength.POSSIBLE
     remedy, keys = to_place(state, robot)
-    return Reason(text, evidence, strength, seen=found.at, keys=keys, remedy=remedy)
+    name = Message("{word}: {fault}", word=MISPLACED.word, fault=text)
+    return Reason(name, evidence, strength, seen=found.at, keys=keys, remedy=remedy)
 
 
 def off_graph(state: FleetState, robot: Robot) -> Reason | None:
@@ -224,7 +230,11 @@ def off_graph(state: FleetState, robot: Robot) -> Reason | None:
     if robot.pose is None or not state.is_fresh(robot, "pose") or not is_off_route(robot):
         return None
     name, evidence = (
-        Message("pose {metres_off} m off the route graph", metres_off=f"{metres_off(robot):.1f}"),
+        Message(
+            "{word}: {metres_off} m off the route graph",
+            word=MISPLACED.word,
+            metres_off=f"{metres_off(robot):.1f}",
+        ),
         Message("its order leads along the edges"),
     )
     strength = Strength.LIKELY if misplaced_for_long(state, robot) is None else Strength.CERTAIN

@@ -179,7 +179,7 @@ def test_a_text_with_values_speaks_the_language_of_its_reader(database: sqlite3.
     try:
         assert translate(Message(alarm.text)) == "Hindernis 30 s"
         assert translate(alarm.kind) == "Hindernis"
-        assert translate(Message("stuck")) == "steht fest"
+        assert translate(Message("stuck")) == "steckt fest"
         assert translate(Message(link.reason)) == "no link"  # another one's words
         assert translate(Message(orders["r"])) == "nicht gesendet: keine Verbindung"
         assert translate(Message(orders["s"])) == "2 Aufträge"

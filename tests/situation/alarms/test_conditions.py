@@ -95,7 +95,7 @@ def test_an_order_without_movement_is_an_alarm_after_its_delay() -> None:
     state = stood(up(), 59)
     assert (R0, "stuck") not in alarms(state)
     state = stood(state, 3, T0 + 59)
-    assert alarm(state, "stuck").text == "no movement for 62 s (order 1 -> 2)"
+    assert alarm(state, "stuck").text == "stuck for 62 s (order 1 -> 2)"
     state = reduced(state, *driving(T0 + 63, x=0.5))
     assert alarm(state, "stuck").text == "no longer stuck"
 
@@ -135,7 +135,7 @@ def test_a_stuck_robot_has_the_error_that_it_reports_about_itself_as_cause(
     error: ErrorReported, told: str
 ) -> None:
     state = reduced(stood(up(), 62), error, tick(T0 + 62))
-    assert alarm(state, "stuck").text == f"no movement for 62 s{told} (order 1 -> 2)"
+    assert alarm(state, "stuck").text == f"stuck for 62 s{told} (order 1 -> 2)"
 
 
 def test_once_stuck_an_obstacle_or_silence_does_not_end_it() -> None:
@@ -150,7 +150,7 @@ def test_a_pause_does_not_cure_a_stuck_robot_and_makes_none() -> None:
     state = stood(up(), 70)
     state = reduced(state, events.PausedReported(R0, T0 + 71, True), *driving(T0 + 71))
     assert alarm(state, "stuck").holds
-    assert alarm(state, "stuck").text == "paused, no movement for 71 s (order 1 -> 2)"
+    assert alarm(state, "stuck").text == "paused, stuck for 71 s (order 1 -> 2)"
     resumed = reduced(state, events.PausedReported(R0, T0 + 80, False), *driving(T0 + 80))
     assert alarm(resumed, "stuck").holds
     assert not alarm(reduced(resumed, *driving(T0 + 81, x=0.5)), "stuck").holds

@@ -75,7 +75,7 @@ def test_a_robot_that_speaks_and_never_had_a_pose_is_an_alarm_after_the_delay_of
     soon = reduced(begun, battery(late), tick(late - 0.1))
     assert not [alarm for alarm in soon.alarms if alarm.key == (R0, "localisation")]
     later = reduced(soon, battery(late + 1), tick(late + 1))
-    assert [alarm.text for alarm in later.alarms] == ["no pose received"]
+    assert [alarm.text for alarm in later.alarms] == ["pose missing"]
     found = reduced(later, pose(late + 2), tick(late + 2), battery(late + 6), pose(late + 6), tick(late + 6))
     assert not found.alarms
     none_promised = of_kinds(begun, Kind(reports=("battery",)))
@@ -86,7 +86,7 @@ def test_poses_that_cease_while_the_robot_speaks_are_an_alarm_until_they_come_ag
     begun = reduced(fleet(), link_up(T0), pose(T0), battery(T0))
     later = reduced(begun, battery(T0 + 40), tick(T0 + 40))
     found = not_sure_where(*known(later), {})
-    assert found is not None and (found.text, found.due) == ("no pose for 40 s", T0 + NO_POSE_AFTER)
+    assert found is not None and (found.text, found.due) == ("pose 40 s old", T0 + NO_POSE_AFTER)
     assert not_sure_where(*known(reduced(later, pose(T0 + 41), tick(T0 + 41))), {}) is None
     silent = reduced(later, tick(T0 + 99))
     assert not_sure_where(*known(silent), {}) is None, "then it is offline"

@@ -18,7 +18,7 @@ from fleet_tui.ui.view.tables.news import news
 from tests.support.fleets import F0, R0, T0, fleet, link_up, pose, queue, reduced, tick
 
 FRAME = MapFrame(0.05, 100, 100)
-OFF, WALL = "pose off the map", "pose inside a wall"
+OFF, WALL = "off the map", "inside a wall"
 DOUBT = "pose doubtful"
 """In the row, whatever it is that shows it: a word that does not change from second to second."""
 
@@ -58,7 +58,7 @@ def test_who_is_off_the_map_is_in_its_row_found_and_explained_first() -> None:
     assert DOUBT in [text for text, _ in news(state, robot)]
     assert next_in_trouble(state, "") == R0
     first = reasons(state, robot)[0]
-    assert (first.name, first.strength) == (OFF, Strength.CERTAIN)
+    assert (first.name, first.strength) == (f"{DOUBT}: {OFF}", Strength.CERTAIN)
     assert first.remedy.startswith("Set its pose") and first.keys[0] == "pose"
 
 
@@ -94,7 +94,7 @@ def test_without_a_map_no_pose_is_wrong() -> None:
 
 def test_it_is_told_also_of_a_robot_that_moves() -> None:
     state = at(-3.0, 1.0, pose(T0 + 0.5, -3.2, 1.0), tick(T0 + 0.5))
-    assert reasons(state, state.robots[R0])[0].name == OFF
+    assert reasons(state, state.robots[R0])[0].name == f"{DOUBT}: {OFF}"
 
 
 def left(seconds: float) -> FleetState:
@@ -111,7 +111,7 @@ def test_a_pose_that_crosses_walls_stays_worth_a_look_with_its_age() -> None:
     between = left(0.6).robots[R0]  # poses come between ticks
     assert misplaced_text(left(0.6), between) == WALL
     first = reasons(state, robot)[0]
-    assert (first.name, first.strength) == ("in a wall 12 s ago", Strength.LIKELY)
+    assert (first.name, first.strength) == (f"{DOUBT}: in a wall 12 s ago", Strength.LIKELY)
     assert first.seen == T0
     assert "was just at an impossible place" in first.evidence and first.remedy.startswith("Set its pose")
     over = left(HELD + 1.0)
@@ -148,6 +148,6 @@ def test_poses_that_are_none_for_twenty_seconds_are_an_alarm_until_they_have_cea
     assert not alarms_of(crossing(until=12.0)) and not alarms_of(crossing(10.0, until=25.0))
     assert not alarms_of(crossing(45.0, until=46.0)), "two spells, each of a moment"
     lasting = crossing(10.0, 21.0, until=22.0)
-    assert alarms_of(lasting) == ["localisation wrong for 22 s: pose inside a wall"]
+    assert alarms_of(lasting) == ["pose doubtful for 22 s: inside a wall"]
     over = reduced(lasting, pose(T0 + 60, 1.9, 1.0), tick(T0 + 60))
     assert not any(one.holds for one in over.alarms if one.condition.kind == "localisation")

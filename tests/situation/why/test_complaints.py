@@ -83,7 +83,7 @@ def test_an_error_precedes_an_unknown_cause_and_a_warning_stands_beside_it() -> 
     planted = driving(then="stuck:robot_0").run(60)
     for level, names in (
         (ERROR, ["drive: ERROR no odometry"]),
-        (WARN, ["drive: WARN no odometry", "cause unknown"]),
+        (WARN, ["drive: WARN no odometry", "stuck 60 s: cause unknown"]),
     ):
         counter = counter_of(PartDiagnosis(planted.now, f"{R0}: drive", level, "no odometry"))
         found = reasons(
@@ -100,7 +100,7 @@ def test_beside_a_certain_cause_only_errors_count() -> None:
     said = complaints(planted.state, planted.robot, counter_of(drive, motor))
     found = reasons(planted.state, planted.robot, complaints=said)
     assert [(one.name, one.strength) for one in found][:2] == [
-        ("paused", Strength.CERTAIN),
+        ("paused (elsewhere)", Strength.CERTAIN),
         ("motor: ERROR hot", Strength.LIKELY),
     ]
     assert "drive: WARN brakes on" not in [one.name for one in found]

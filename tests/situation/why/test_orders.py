@@ -45,7 +45,7 @@ def test_the_reason_of_an_order_that_failed_and_its_alarm_advise_the_same(
     state = reduced(moved(kind), pose(T0 + 9), queue(T0 + 9), *given, tick(T0 + 9))
     (alarm,) = [one for one in state.alarms if one.condition.kind == "command"]
     found = reasons(state, state.robots[R0])[0]
-    assert (found.name, found.remedy) == (f"order: {stages[-1].value}", action_of(alarm.condition))
+    assert (found.name, found.remedy) == (f"{stages[-1].value}: order", action_of(alarm.condition))
     is_rejected = kind is KEEPS and stages == (Stage.REFUSED,)
     assert (found.remedy == REJECTED) is is_rejected, "the servers of a kind with goals may be inactive"
 
@@ -80,7 +80,7 @@ def test_an_idle_robot_at_the_charger_has_no_orders_first() -> None:
 
 def test_a_robot_without_cargo_does_not_load() -> None:
     order = (1, 1, 2, "W")
-    for kind, name in ((GOALS, "stopped 8 s ago, nothing wrong so far"), (FULL, "loading at 1")):
+    for kind, name in ((GOALS, "waiting 8 s, nothing wrong so far"), (FULL, "loading at 1")):
         driving = reduced(
             moved(kind), queue(T0 + 1, order, current=1), pose(T0 + 9), queue(T0 + 9, order, current=1)
         )

@@ -45,7 +45,7 @@ def test_a_refused_resume_is_named_beside_the_pause() -> None:
     facts = commanded(1, ResumeRobot(R0), Stage.SENT, Stage.REFUSED, detail="key switch is off")
     state = reduced(fleet(), link_up(T0), PausedReported(R0, T0, True), pose(T0), *facts, tick(T0 + 2))
     found = reasons(state, state.robots[R0])
-    assert [reason.name for reason in found][:2] == ["paused", "resume: refused"]
+    assert [reason.name for reason in found][:2] == ["paused (elsewhere)", "refused: resume"]
     assert found[1].evidence == "key switch is off"
 
 

@@ -53,7 +53,7 @@ def test_robots_in_different_frames_are_not_compared() -> None:
     planted.run(3)
     assert first(planted).name == "waiting behind robot_1"
     planted.tell(FrameReceived("robot_1", "floor_0", moved))
-    assert first(planted).name == "stopped 3 s ago, nothing wrong so far"
+    assert first(planted).name == "waiting 3 s, nothing wrong so far"
 
 
 def test_a_robot_that_drives_through_is_not_the_cause_of_a_long_standstill() -> None:
@@ -105,7 +105,7 @@ def test_only_a_near_robot_or_one_under_way_on_the_next_edge_is_in_the_way() -> 
         return [f"{one.name} {one.strength.name}" for one in reasons(state, state.robots[R0])]
 
     assert found(8.0, drives=True)[0] == "waiting behind robot_1 LIKELY"
-    unknown = "stopped 2 s ago, nothing wrong so far NONE"
+    unknown = "waiting 0 s, nothing wrong so far NONE"
     assert found(8.0, drives=False)[0] == found(8.0, drives=True, keeps_goals=True)[0] == unknown
     assert found(3.0, drives=False) == ["waiting behind robot_1 POSSIBLE", unknown]
 
@@ -115,12 +115,12 @@ def test_a_robot_with_an_order_and_a_pose_beside_all_edges_is_said_to_be_off_the
     drives: list[Event] = [link_up(T0 - 9), graph(1, 2, 3), pose(T0 - 0.5, 1.0, 2.5), pose(T0, 1.4, 2.6)]
     busy = reduced(fleet(), *drives, queue(T0, (1, 3, 1, "W"), current=1), tick(T0))
     found = reasons(busy, busy.robots[R0])[0]
-    assert found.name == "pose 2.6 m off the route graph" and found.keys[0] == "pause"
+    assert found.name == "pose doubtful: 2.6 m off the route graph" and found.keys[0] == "pause"
     later = reduced(busy, pose(T0 + 1, 1.8, 2.6), tick(T0 + 1))  # poses are compared with it once a second
     assert to_look_at(later) == (R0,)
     assert "pose doubtful" in [text for text, _ in news(later, later.robots[R0])]
     left = reduced(later, pose(T0 + 6, 1.9, 0.5), tick(T0 + 6))
-    assert reasons(left, left.robots[R0])[0].name == "off the route graph 5 s ago"
+    assert reasons(left, left.robots[R0])[0].name == "pose doubtful: off the route graph 5 s ago"
     idle = reduced(fleet(), *drives, queue(T0), tick(T0))
     near = reduced(busy, pose(T0 + 0.1, 1.4, 1.9), tick(T0 + 0.1))
     for state in (idle, near):

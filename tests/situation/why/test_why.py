@@ -73,7 +73,7 @@ def waiting_orders() -> Planted:
 SITUATIONS: dict[str, tuple[Callable[[], Planted], str]] = {
     "nothing to do": (lambda: Planted().run(3), "no orders"),
     "it drives": (lambda: driving(), "robot_0 is driving"),
-    "paused elsewhere": (lambda: driving(then="paused").run(3), "paused"),
+    "paused elsewhere": (lambda: driving(then="paused").run(3), "paused (elsewhere)"),
     "paused from here": (lambda: driving().command(PauseRobot(R0)).run(3), "paused"),
     "paused, no topic tells": (
         lambda: driving(tells_pause=False).command(PauseRobot(R0)).run(3),
@@ -85,36 +85,39 @@ SITUATIONS: dict[str, tuple[Callable[[], Planted], str]] = {
     "silent from the start": (lambda: Planted("silent:robot_0").run(9), "never seen"),
     "no link": (lambda: cut_off(driving()).run(9), "no link"),
     "pose stays away": (lambda: driving(then="stale:robot_0").run(9), "pose 9 s old"),
-    "localisation lost": (lambda: driving(then="jumping:robot_0").run(6), "localisation jumps"),
-    "stuck": (lambda: driving(then="stuck:robot_0").run(60), "cause unknown"),
-    "stuck at the start": (lambda: driving("stuck:robot_0", FROM_HERE).run(62), "cause unknown"),
+    "localisation lost": (lambda: driving(then="jumping:robot_0").run(6), "pose jumps"),
+    "stuck": (lambda: driving(then="stuck:robot_0").run(60), "stuck 60 s: cause unknown"),
+    "stuck at the start": (lambda: driving("stuck:robot_0", FROM_HERE).run(62), "stuck 66 s: cause unknown"),
     "loading": (lambda: Planted().run(1).command(FROM_HERE).run(2), "loading at Base"),
     "unloading": (
         lambda: loaded(Planted().run(1)).command(place_order(R0, BASE)).run(2),
         "unloading at Base",
     ),
     "cargo on board": (lambda: loaded(Planted()).run(3), "cargo without destination"),
-    "refused": (lambda: driving("refuse"), "order: refused"),
+    "refused": (lambda: driving("refuse"), "refused: order"),
     "no answer": (lambda: unanswered(driving("never").run(2)), "order: no answer"),
     "just sent": (lambda: driving("never"), "order: sent"),
     "cleared from here": (lambda: driving().command(ClearOrders(R0)).run(20), "no orders"),
-    "its software restarted": (lambda: driving("restart").run(12), "order: lost"),
+    "its software restarted": (lambda: driving("restart").run(12), "lost: order"),
     "charging": (lambda: driving("battery:robot_0", quiet=False).run(120), "charging at Charger"),
     "flat, orders wait": (lambda: flat(waiting_orders(), 6.0).run(3), "battery 6 %"),
     "orders wait": (lambda: waiting_orders().run(3), "2 orders queued but not started"),
     "another robot ahead": (lambda: behind_another().run(40), "waiting behind robot_1"),
-    "paused AND obstacle": (lambda: driving(then="paused:robot_0,obstacle:robot_0").run(9), "paused"),
+    "paused AND obstacle": (
+        lambda: driving(then="paused:robot_0,obstacle:robot_0").run(9),
+        "paused (elsewhere)",
+    ),
     "offline AND flat": (lambda: flat(driving(then="silent:robot_0"), 9.0).run(9), "offline 9 s"),
     "offline AND paused": (lambda: driving("paused:robot_0", then="silent:robot_0").run(9), "offline 9 s"),
     "no link AND paused": (lambda: cut_off(driving("paused:robot_0")).run(9), "no link"),
     "obstacle AND low": (lambda: flat(driving(then="obstacle:robot_0"), 15.0).run(5), "obstacle 4."),
-    "localisation lost AND low": (
-        lambda: flat(driving(then="jumping:robot_0"), 15.0).run(6),
-        "localisation jumps",
-    ),
+    "localisation lost AND low": (lambda: flat(driving(then="jumping:robot_0"), 15.0).run(6), "pose jumps"),
     "another robot ahead AND low": (lambda: behind_another(15.0).run(40), "waiting behind robot_1"),
     "no orders AND low": (lambda: flat(Planted(), 15.0).run(3), "no orders"),
-    "paused AND pose stays away": (lambda: driving(then="paused:robot_0,stale:robot_0").run(9), "paused"),
+    "paused AND pose stays away": (
+        lambda: driving(then="paused:robot_0,stale:robot_0").run(9),
+        "paused (elsewhere)",
+    ),
     "obstacle AND another ahead": (lambda: _blocked(behind_another()).run(6), "obstacle 5."),
 }
 
@@ -140,7 +143,7 @@ def test_orders_that_a_certain_cause_holds_back_are_no_reason_of_their_own() -> 
     planted = waiting_orders().run(1)
     assert "2 orders queued but not started" in names(planted.run(3).state)
     planted.plant("paused:robot_0")
-    assert names(planted.run(6).state) == ["paused"]
+    assert names(planted.run(6).state) == ["paused (elsewhere)"]
 
 
 GIVEN: tuple[Command, ...] = (AWAY, ClearOrders(R0), PauseRobot(R0))
@@ -183,7 +186,7 @@ def test_whatever_was_heard_there_is_a_reason_and_every_key_exists(facts: list[E
     if found[0].name == "robot_0 is driving":
         assert len(found) == 1
     names = [reason.name for reason in found]
-    assert ("paused" in names or "paused (by us)" in names) is (
+    assert any(name.startswith("paused") for name in names) is (
         state.is_paused(state.robots[R0]) and names != ["robot_0 is driving"]
     )
 
@@ -217,7 +220,7 @@ def test_what_a_robot_reports_about_itself_comes_after_jumps_of_its_pose() -> No
     planted = driving(then="jumping:robot_0").run(12)
     own = Complaint(Message("drive: ERROR no odometry"), "diagnostics", True, planted.now)
     found = [one.name for one in reasons(planted.state, planted.robot, complaints=[own])]
-    assert found[0].startswith("localisation jumps: 1") and found[0].endswith(" in 10 s")
+    assert found[0].startswith("pose jumps: 1") and found[0].endswith(" in 10 s")
     assert found[1] == own.text
 
 
@@ -232,5 +235,5 @@ def test_who_has_just_stopped_is_not_sent_for_until_it_stands_for_longer() -> No
         planted = driving(then="stuck:robot_0").run(seconds)
         return reasons(planted.state, planted.robot)[0]
 
-    assert first(5).name.startswith("stopped ") and first(5).remedy == ""
-    assert first(SHORT + 2).name == "cause unknown" and "wheels" in first(SHORT + 2).remedy
+    assert first(5).name.startswith("waiting ") and first(5).remedy == ""
+    assert first(SHORT + 2).name == "waiting 22 s: cause unknown" and "wheels" in first(SHORT + 2).remedy

@@ -35,7 +35,7 @@ async def test_it_names_the_cause_and_its_key_does_the_fix(size: tuple[int, int]
         it.fleet.plant("paused:robot_0")
         await it.press("w")
         await it.shows("Why: robot_0")
-        await it.shows("▶ 1. paused  (certain)")
+        await it.shows("▶ 1. paused (elsewhere)  (certain)")
         await it.shows("r resume")
         await it.press("r")
         await it.shows("▶ 1. no orders")

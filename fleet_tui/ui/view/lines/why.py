@@ -33,7 +33,7 @@ SHOWN = 5
 UNBROKEN = "\u00a0"
 """A space at which no line is broken."""
 ACTS = {
-    "battery": ("order",),
+    "battery": ("charge", "order"),
     "command": ("pause", "cancel"),
     "data": ("diagnostics",),
     "issue": ("robot_page", "facilities"),

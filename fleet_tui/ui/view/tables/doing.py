@@ -3,11 +3,10 @@
 from fleet_tui.model.fleet import FleetState, missing_text
 from fleet_tui.model.history.facts import Activity
 from fleet_tui.model.robot import Robot
-from fleet_tui.situation.activity import activities
+from fleet_tui.situation.activity import OBSTRUCTED, activities, halt_word
 from fleet_tui.situation.alarms.trouble import acknowledged, waits
-from fleet_tui.situation.facts import DRIVES_ON
-from fleet_tui.situation.reported_motion import action_text, running_action, stands_with_order
-from fleet_tui.situation.robots import obstacle
+from fleet_tui.situation.facts import DRIVES_ON, E_STOP, FAULT, STUCK
+from fleet_tui.situation.reported_motion import action_text, is_stuck, running_action, waits_for
 from fleet_tui.text.language import Message, counted, translate
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import age
@@ -16,8 +15,7 @@ from fleet_tui.ui.view.tables.news import failed_command, listed, news, shortene
 from fleet_tui.ui.view.tables.table import Run, width_of
 
 UNKNOWN = Message("unknown")
-OBSTACLE = "obstacle"
-ODD = (OBSTACLE, Activity.BLOCKED.value, Activity.PAUSED.value)
+ODD = (E_STOP.word, FAULT.word, OBSTRUCTED, Activity.BLOCKED.value, STUCK.word, Activity.PAUSED.value)
 """Words of what needs a look, as counted."""
 CALM = (Activity.IDLE, Activity.CHARGING)
 STANDING = (Activity.WAITING, Activity.LOADING, Activity.BLOCKED)
@@ -38,24 +36,25 @@ def doing_text(state: FleetState, robot: Robot, does: Activity | None) -> str:
     there, else the word alone."""
     if does in (Activity.WAITING, Activity.LOADING) and (action := running_action(state, robot)) is not None:
         return sanitize(action_text(state, action))
-    seconds = stands_with_order(robot)
-    if does not in STANDING or seconds < STILL_FROM:
-        return word(does)
-    return f"{word(does)} {age(seconds)}"
+    seconds = waits_for(state, robot)
+    shown = translate(halt_word(state, robot)) if does is Activity.BLOCKED else word(does)
+    return shown if does not in STANDING or seconds < STILL_FROM else f"{shown} {age(seconds)}"
 
 
 def count_word(state: FleetState, robot: Robot, does: Activity | None) -> str:
     """Return the word that counts a robot, in English: that of its row."""
-    fact = obstacle(state, robot)
-    if does is Activity.BLOCKED and fact is not None and fact.kind.name == OBSTACLE:
-        return OBSTACLE
+    if does is Activity.BLOCKED:
+        return halt_word(state, robot)
     return UNKNOWN if does is None else does.value
 
 
 def count_text(count: int, word: str) -> str:
     """Return the number of robots with a word: `2 obstacles`, `2 driving`."""
     counts = {
-        OBSTACLE: counted("{count} obstacle", "{count} obstacles", count),
+        OBSTRUCTED: counted("{count} obstacle", "{count} obstacles", count),
+        E_STOP.word: counted("{count} e-stop", "{count} e-stops", count),
+        FAULT.word: counted("{count} error", "{count} errors", count),
+        STUCK.word: counted("{count} stuck", "{count} stuck", count),
         Activity.DRIVING.value: counted("{count} driving", "{count} driving", count),
         Activity.LOADING.value: counted("{count} loading", "{count} loading", count),
         Activity.WAITING.value: counted("{count} waiting", "{count} waiting", count),
@@ -71,7 +70,7 @@ def count_text(count: int, word: str) -> str:
 
 def doing_role(state: FleetState, robot: Robot) -> StyleRole:
     """Return the role of that text: amber where it lasts, red where it is an alarm."""
-    if any(alarm.holds and alarm.key == (robot.name, "stuck") for alarm in state.alarms):
+    if is_stuck(state, robot):
         return StyleRole.ALARM
     return StyleRole.WARN if waits(state, robot) else StyleRole.DIM
 
@@ -82,7 +81,8 @@ def state_texts(state: FleetState, robot: Robot, does: Activity | None, cells: i
     failed, others = list(failed_command(state, robot)), list(news(state, robot))
     if failed and width_of(failed) > cells:
         failed = list(failed_command(state, robot, short=True))
-    texts = shortened_news([*failed, *others], cells)
+    # What a robot that is not heard last reported comes after that.
+    texts = shortened_news([*failed, *others] if state.is_online(robot) else [*others, *failed], cells)
     doing = doing_text(state, robot, does), doing_role(state, robot)
     if not texts:
         return [(missing(state, robot) or doing[0], doing[1]) if does is None else doing]
@@ -90,7 +90,7 @@ def state_texts(state: FleetState, robot: Robot, does: Activity | None, cells: i
     is_grave = any(role is StyleRole.ALARM for _, role in texts)
     is_said = does in (None, Activity.OFFLINE, Activity.PAUSED, *(*CALM, Activity.BLOCKED) * is_grave)
     is_said = is_said or (does is Activity.DRIVING and (state.is_paused(robot) or _drives_on(texts)))
-    is_said = is_said or any(text.startswith((word(does), OBSTACLE)) for text, _ in texts)
+    is_said = is_said or any(text.startswith((word(does), OBSTRUCTED)) for text, _ in texts)
     both = [*texts, doing]
     return texts if is_said or width_of(listed(both)) > cells else both
 

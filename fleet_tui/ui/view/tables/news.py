@@ -10,7 +10,7 @@ from fleet_tui.orders.newest import own_pause
 from fleet_tui.situation.alarms.members import issue_text
 from fleet_tui.situation.alarms.trouble import AGING, in_trouble, shelved, unexplained_end
 from fleet_tui.situation.fact import Fact
-from fleet_tui.situation.facts import BAD_DATA, FAULT, INACTIVE, SILENT
+from fleet_tui.situation.facts import BAD_DATA, FAULT, INACTIVE, MISPLACED, SILENT
 from fleet_tui.situation.localisation import uncertain
 from fleet_tui.situation.navigation import inactive, silent_navigation
 from fleet_tui.situation.pauses import own_pause_text
@@ -143,7 +143,7 @@ def _navigation(state: FleetState, robot: Robot) -> Iterator[Run]:
     if state.is_fresh(robot, "pose") and is_jumping(robot, state.now):
         yield tr("pose jumps"), StyleRole.WARN
     if misplaced_text(state, robot) and state.is_fresh(robot, "pose"):
-        yield tr("pose doubtful"), StyleRole.WARN  # steady: where it was changes with each shelf
+        yield translate(MISPLACED.word), StyleRole.WARN  # steady: where it was changes with each shelf
 
 
 def _vehicle(state: FleetState, robot: Robot) -> Iterator[Run]:

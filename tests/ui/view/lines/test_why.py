@@ -40,7 +40,7 @@ def test_without_a_link_the_key_of_diagnostics_is_named() -> None:
 PAUSED_AND_BLOCKED = """\
 No movement for 6 s. At Base.
 
-▶ 1. paused  (certain)
+▶ 1. paused (elsewhere)  (certain)
     not sent by this console, reported\u00a00.4\u00a0s\u00a0ago
     r\u00a0resume
 
@@ -54,7 +54,7 @@ def test_a_robot_that_moves_tells_its_alarms_all_the_same() -> None:
     lines = why_lines(state, state.robots[R0], KEYS)
     assert lines[0].startswith("robot_0 is driving") and "▲ battery 5 %" in lines
     assert lines[-2].strip() == "Send it to a charger"
-    assert lines[-1].strip() == "o\u00a0order"
+    assert lines[-1].strip() == "C\u00a0charge   o\u00a0order"
 
 
 def test_paused_and_blocked() -> None:
@@ -118,7 +118,7 @@ def test_why_offers_no_key_that_the_kind_does_not_accept() -> None:
 
 def test_without_a_cause_it_says_once_how_long_and_what_to_do() -> None:
     said = text(driving(then="stuck:robot_0").run(60))
-    assert "▶ 1. cause unknown\n" in said and said.count(" for ") == 1
+    assert "▶ 1. stuck 60 s: cause unknown\n" in said and " for " not in said
     assert "    Go and check its path, wheels, emergency stop and manual mode\n" in said
     assert said.index("x\u00a0cancel") < said.index("X\u00a0clear")
 

@@ -13,14 +13,14 @@ from fleet_tui.model.navigation_events import BlockedReported
 from fleet_tui.model.robot import Reading
 from fleet_tui.model.vehicles.events import VehicleReported
 from fleet_tui.model.vehicles.vehicle import Vehicle, VehicleError
-from fleet_tui.situation.activity import activities
+from fleet_tui.situation.activity import OBSTRUCTED, activities
 from fleet_tui.situation.alarms.trouble import waits
 from fleet_tui.text.language import Message
 from fleet_tui.ui.languages import ENGLISH, use_language
 from fleet_tui.ui.view.map.floor_scene import floor_scene
 from fleet_tui.ui.view.map.glyphs import robot_tag
 from fleet_tui.ui.view.selection import Selection
-from fleet_tui.ui.view.tables.doing import OBSTACLE, count_text, count_word, doing_text, told_text, word
+from fleet_tui.ui.view.tables.doing import count_text, count_word, doing_text, told_text, word
 from fleet_tui.ui.view.tables.fleet import fleet_table
 from tests.support.fleets import F0, R0, T0, battery, fleet, link_up, pose, queue, reduced, text_of, tick
 
@@ -56,20 +56,21 @@ def vehicle(**state: Any) -> VehicleReported:
     return VehicleReported(R0, AT, Vehicle("a", "2.0.0", **state))
 
 
-BLOCKED: dict[str, Event] = {
-    "blocked 4.0 s (seen)": BlockedReported(R0, AT - 4.0, "stop", "front"),
-    "e-stop (manual)": vehicle(e_stop="MANUAL"),
-    "motor": vehicle(errors=(VehicleError("motor", "FATAL"),)),
+BLOCKED: dict[str, tuple[str, Event]] = {
+    "blocked 4.0 s (seen)": ("1 blocked", BlockedReported(R0, AT - 4.0, "stop", "front")),
+    "e-stop (manual)": ("1 e-stop", vehicle(e_stop="MANUAL")),
+    "motor": ("1 error", vehicle(errors=(VehicleError("motor", "FATAL"),))),
 }
 
 
 @pytest.mark.parametrize("said", BLOCKED)
-def test_who_cannot_drive_is_blocked_in_title_activity_and_on_the_map(said: str) -> None:
-    state = reduced(standing(ordered=False), BLOCKED[said], tick(AT))
+def test_who_cannot_drive_is_counted_by_the_word_of_its_row_and_blocked_on_the_map(said: str) -> None:
+    count, report = BLOCKED[said]
+    state = reduced(standing(ordered=False), report, tick(AT))
     robot = state.robots[R0]
     assert activities(state, [robot]) == {R0: Activity.BLOCKED}
     table = fleet_table(state, R0, 100)
-    assert text_of(table.title).endswith(": 1 blocked")
+    assert text_of(table.title).endswith(f": {count}")
     row = text_of(table.rows[0].runs)
     assert said in row and "idle" not in row and row.count("blocked") == said.count("blocked")
     drawn = floor_scene(state, Selection(R0, F0)).robots[0]
@@ -110,7 +111,7 @@ def test_title_row_and_page_have_the_same_word(said: str) -> None:
 
 
 def test_several_are_counted_in_the_plural() -> None:
-    assert [count_text(n, OBSTACLE) for n in (1, 2)] == ["1 obstacle", "2 obstacles"]
+    assert [count_text(n, OBSTRUCTED) for n in (1, 2)] == ["1 obstacle", "2 obstacles"]
 
 
 def test_the_count_of_robots_has_the_number_of_its_language() -> None:

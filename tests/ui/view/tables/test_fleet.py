@@ -324,7 +324,7 @@ def test_a_stuck_robot_says_so_in_the_colour_of_alarms() -> None:
     for second in range(70):
         at = T0 + second
         state = reduced(state, pose(at), battery(at), queue(at, (1, 1, 2, "W"), current=1), tick(at))
-    assert "blocked" in row(state) and role_of(state, "blocked") is StyleRole.ALARM
+    assert "stuck" in row(state) and role_of(state, "stuck") is StyleRole.ALARM
 
 
 @pytest.mark.parametrize("seconds", [3.1, 10.0, 31.0])

@@ -125,7 +125,7 @@ def test_an_alarm_reads_as_it_was_at_its_time() -> None:
 def test_an_alarm_whose_cause_came_later_names_it() -> None:
     state = reduced(without_poses(fleet()), link_up(T0), ObstacleReported(R0, T0, 40.0), tick(T0))
     (alarm,) = state.alarms
-    unknown, known = "no movement for 60 s", "no movement for 70 s: drive: no odometry"
+    unknown, known = "stuck for 60 s", "stuck for 70 s: drive: no odometry"
     condition = structs.replace(alarm.condition, text=known)
     state = structs.replace(state, alarms=(structs.replace(alarm, condition=condition, first_text=unknown),))
     assert lines(state) == [f"0 robot_0 {known}"]
