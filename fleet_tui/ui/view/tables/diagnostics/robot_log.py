@@ -5,7 +5,7 @@ from collections.abc import Callable, Collection, Hashable, Iterator, Sequence
 from fleet_tui.model.counters import snapshot
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.ros_logs import LogLine, Severity
-from fleet_tui.text.language import N_, Message, tr, translate
+from fleet_tui.text.language import N_, Message, counted, tr, translate
 from fleet_tui.text.sanitize import cell_width, folded, sanitize
 from fleet_tui.text.units import ago
 from fleet_tui.ui.view.roles import StyleRole
@@ -23,6 +23,8 @@ _LOOKS = {
 }
 
 NOTHING = Message("nothing received on /rosout (subscribed while this screen is open)")
+CLIENTS = "[Client "
+"""Begin of what rosbridge says of its clients, this console among them: many lines that no robot said."""
 INDENT = 4
 """Cells before the lines of a whole message."""
 
@@ -44,8 +46,8 @@ def _level(line: LogLine) -> Run:
     return tr("level {level}", level=line.level), StyleRole.WARN
 
 
-def _text(line: LogLine) -> Run:
-    return line.text, StyleRole.ALARM if _level(line)[1] is StyleRole.ALARM else StyleRole.TEXT
+def _is_of_clients(line: LogLine) -> bool:
+    return line.text.startswith(CLIENTS) and (line.severity or Severity.FATAL) <= Severity.INFO
 
 
 def robot_log_table(
@@ -63,15 +65,25 @@ def robot_log_table(
     line's own, or that of its arrival."""
     found = [line for line in lines if (line.severity or Severity.FATAL) >= least]
     offset = state.wall - state.now
+    *earlier, last = [id(line) for line in found if _is_of_clients(line)] or [0]
+    hidden = frozenset(() if arrangement is not None and arrangement.typed else earlier)
+    shown = [line for line in found if id(line) not in hidden]
+
+    def text(line: LogLine) -> Run:
+        role = StyleRole.ALARM if _level(line)[1] is StyleRole.ALARM else StyleRole.TEXT
+        if not hidden or id(line) != last:
+            return line.text, role
+        more = counted("{count} more line", "{count} more lines", len(hidden))
+        return tr("{text} (and {more} of the bridge about its clients)", text=line.text, more=more), role
 
     def whole(line: LogLine) -> Iterator[Row]:
         if id(line) not in opened:
             return
         parts = [sanitize(part) for part in line.text.splitlines()]
-        folded_parts = [text for part in parts for text in folded(part, width - INDENT, width - INDENT)]
-        for n, text in enumerate(folded_parts):
-            shown = (" " * INDENT + text, StyleRole.TEXT)
-            yield Row((id(line), n), (shown,), whole="\n".join(parts))
+        folded_parts = [row for part in parts for row in folded(part, width - INDENT, width - INDENT)]
+        for n, row in enumerate(folded_parts):
+            indented = (" " * INDENT + row, StyleRole.TEXT)
+            yield Row((id(line), n), (indented,), whole="\n".join(parts))
 
     time = cell_width(clock(state.wall))
     columns: Sequence[Column[LogLine]] = (
@@ -92,7 +104,7 @@ def robot_log_table(
             is_apart=True,
         ),
         Column(N_("node"), lambda line: (line.node, StyleRole.DIM), (4, 24), "", sorts=True),
-        Column(N_("text"), _text, None, ""),
+        Column(N_("text"), text, None, ""),
     )
     note = least.name if least is Severity.FATAL else least.name + tr(" and worse")
     if lines:
@@ -101,5 +113,5 @@ def robot_log_table(
     title = (tr("Robot log"), StyleRole.TITLE), (counts, StyleRole.DIM), *down(links)
     empty = tr("no matching line") if lines else translate(NOTHING)
     return table_of(
-        title, columns, found, id, width, arrangement=arrangement, below=whole, empty=empty, is_followed=True
+        title, columns, shown, id, width, arrangement=arrangement, below=whole, empty=empty, is_followed=True
     )

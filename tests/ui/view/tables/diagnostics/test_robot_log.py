@@ -107,3 +107,23 @@ def test_lines_that_are_not_opened_have_one_row_each() -> None:
     lines = lines_of(links)
     table = robot_log_table(lines, links, state, str, Severity.DEBUG, {id(lines[1])}, 76)
     assert len(table.rows) == len(LOG) + 1 and table.rows[2].key == (id(lines[1]), 0)
+
+
+def test_what_the_bridge_says_of_its_clients_is_one_line_unless_it_is_sought() -> None:
+    link = counter()
+    link.take_log(LogLine(T0 + 1, 20, "robot_0.base", "driving"))
+    for n in range(3):
+        link.take_log(LogLine(T0 + 2 + n, 20, "rosbridge_websocket", f"[Client 7] Subscribed to /topic_{n}"))
+    link.take_log(LogLine(T0 + 6, 40, "rosbridge_websocket", "[Client 7] call_service: /x does not exist"))
+    state, links = seen(link)
+
+    def rows(wanted: str) -> list[str]:
+        arrangement = RowArrangement()
+        arrangement.typed = wanted
+        shown = lines_of(links), links, state, lambda wall: f"<{wall:.0f}>", Severity.DEBUG
+        return text(robot_log_table(*shown, arrangement=arrangement))[1:]
+
+    first, folded, error = rows("")
+    assert "driving" in first and "does not exist" in error
+    assert "/topic_2 (and 2 more lines of the bridge about its clients)" in folded
+    assert len(rows("Subscribed")) == 3
