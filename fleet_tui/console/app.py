@@ -3,6 +3,7 @@
 import asyncio
 import logging
 import time
+from collections.abc import Callable
 from functools import partial
 from typing import ClassVar
 
@@ -12,16 +13,18 @@ from textual.theme import Theme
 from fleet_tui.config.fleet import drive_of
 from fleet_tui.config.rights import permissions_of
 from fleet_tui.config.schema import Config
-from fleet_tui.console.announcements import announcing
 from fleet_tui.console.main_screen import MainScreen
 from fleet_tui.keys import BY_ID, Pane
 from fleet_tui.keys.keymap import keymap
+from fleet_tui.model.fleet import FleetState
+from fleet_tui.records.history.notifying import alarm_program
 from fleet_tui.state.store import Store
 from fleet_tui.text.language import EMPTY, Message
 from fleet_tui.ui.backend import Backend, LiveBackend
 from fleet_tui.ui.controllers.files import ConsoleFiles
 from fleet_tui.ui.controllers.session import LiveSession, OpenSession
 from fleet_tui.ui.controllers.settings import ConsoleSettings
+from fleet_tui.ui.terminal.annunciator import Annunciator
 from fleet_tui.ui.terminal.ending import leave_on_signals, terminal_restorer
 from fleet_tui.ui.terminal.fault_guard import FaultGuard
 from fleet_tui.ui.terminal.first_paint import FirstPaint
@@ -30,6 +33,23 @@ from fleet_tui.ui.terminal.lean_app import LeanApp
 from fleet_tui.ui.themes import FleetTheme
 from fleet_tui.ui.view.map.drawing import Drawing
 from fleet_tui.ui.widgets.bindings import bindings, textual_key, textual_keymap
+
+
+def announcing(
+    config: Config, backend: Backend, send: Callable[[str], bool], say: Callable[[Message], None]
+) -> Callable[[FleetState], None]:
+    """Return what is called with every state. `send` writes to the terminal, `say` tells the operator that
+    the program failed; what a recording shows calls nobody else."""
+    annunciator = Annunciator(config.alarms, send)
+    program = alarm_program(config, say) if isinstance(backend, LiveBackend) else None
+
+    def look(state: FleetState) -> None:
+        annunciator.look(state)
+        if program is not None:
+            program.look(state)
+
+    return look
+
 
 LOG = logging.getLogger(__name__)
 

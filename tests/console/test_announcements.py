@@ -8,7 +8,7 @@ import pytest
 
 from fleet_tui.config.schema import Alarms, Config, Notify
 from fleet_tui.config.start import initial_state
-from fleet_tui.console.announcements import announcing
+from fleet_tui.console.app import announcing
 from fleet_tui.state.store import Store
 from fleet_tui.ui.backend import LiveBackend
 from tests.support.desk import CollectingBackend

@@ -3,9 +3,8 @@
 import pytest
 
 from fleet_tui.config.schema import Link
-from fleet_tui.console.entry import EntryApp
+from fleet_tui.console.entry import Arrival, EntryApp
 from fleet_tui.console.first_run import FirstRun
-from fleet_tui.console.site_choice import Arrival
 from fleet_tui.links.discovery.recognition import claimed
 from fleet_tui.links.discovery.site import DiscoveredSite
 from fleet_tui.robots.discovery import Listed

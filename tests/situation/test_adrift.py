@@ -3,8 +3,7 @@
 import pytest
 from msgspec.structs import replace
 
-from fleet_tui.cli.status.navigation import navigation
-from fleet_tui.cli.status.report import attention
+from fleet_tui.cli.status.report import attention, navigation
 from fleet_tui.model.events import Event, TimePassed, TopicNotAllowed, TopicsDropped
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose

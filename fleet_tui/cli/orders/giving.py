@@ -10,14 +10,15 @@ import click
 
 from fleet_tui.cli.orders.outcome import DONE, NO_LINK, NOT_DONE, NOT_SENT, Outcome, exit_code, print_outcome
 from fleet_tui.cli.orders.sending import LINK_WITHIN, How, Sending, reaches, unreported
-from fleet_tui.cli.orders.set_up import await_set_up
 from fleet_tui.cli.session import session
 from fleet_tui.commands.checks import no_link
 from fleet_tui.commands.language.grammar import ALL, parse_words
 from fleet_tui.commands.language.set_up import USAGE as SET_UP
+from fleet_tui.commands.language.set_up import floor_of
 from fleet_tui.commands.language.words import find_robot
 from fleet_tui.commands.rights import right_of
 from fleet_tui.commands.rivals import rivals_text
+from fleet_tui.commands.set_up.checks import map_of
 from fleet_tui.config.log_file import state_folder
 from fleet_tui.config.rights import permissions_of
 from fleet_tui.config.schema import Config
@@ -30,11 +31,54 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.records.audit.log import auditing, operator_name
 from fleet_tui.records.desk.watching import watched_desk
 from fleet_tui.situation.batches import summary
+from fleet_tui.situation.reported_motion import SELDOM, STANDS_AFTER, is_moving
 from fleet_tui.situation.robots import may_be_back
 from fleet_tui.text.errors import CommandError
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.ui.view.lines.commands import command_text
 from fleet_tui.ui.view.lines.questions import question
+
+STANDING_WITHIN = STANDS_AFTER + SELDOM + 1.0
+"""Seconds until a robot at rest has been seen for long enough to count as standing."""
+MAP_WITHIN = 3.0
+
+
+def await_set_up(given: Sending, config: Config, name: str, words: Sequence[str]) -> None:
+    """Wait for the reports that a set-up command needs besides those of an order."""
+    if words[0] in ("set-pose", "localise"):
+
+        def stands(state: FleetState) -> bool:
+            return not is_moving(state.robots[name], state.now)
+
+        given.store.wait(stands, min(STANDING_WITHIN, given.left))
+    if words[0] in ("set-pose", "goto") and len(words) > 3:
+        _await_map(given, config, name)
+
+
+def _await_map(given: Sending, config: Config, name: str) -> None:
+    """Load the map of a robot's floor, or subscribe to its live one."""
+    robot = given.state.robots[name]
+    try:
+        floor = floor_of(robot)
+    except CommandError:
+        return
+    entry = next(one for one in config.floors if one.name == floor)
+    if entry.map:
+        # With numpy, whose import takes longer than a whole command.
+        from fleet_tui.maps.images import load_floor_map
+
+        given.link.post(load_floor_map(floor, config.beside(entry.map), config.profile.origin == "added"))
+    elif "map" in robot.kind.reports:
+        given.link.show_map(name, floor)
+    else:
+        return
+
+    def has_map(state: FleetState) -> bool:
+        known = map_of(state, state.robots[name], floor) is not None
+        return known or bool(state.floors[floor].problem)
+
+    given.store.wait(has_map, min(MAP_WITHIN, given.left))
+
 
 LABELS_WITHIN = 1.0
 """Additional seconds for labels, which a floor need not have, for the robot's report on whether it is paused,

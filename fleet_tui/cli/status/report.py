@@ -5,26 +5,109 @@ from collections.abc import Iterator
 from typing import Any
 
 from fleet_tui.cli.session import missing
-from fleet_tui.cli.status.navigation import navigation
-from fleet_tui.cli.status.vehicle import vehicle
 from fleet_tui.model.alarm import Priority
 from fleet_tui.model.fleet import FleetState, missing_text
 from fleet_tui.model.fleets.facility import LANES, Facility
 from fleet_tui.model.kind import PAUSE
 from fleet_tui.model.link import CommandPath, LinkState, Phase
-from fleet_tui.model.order import Stop
+from fleet_tui.model.order import Order, Stop, route_text
 from fleet_tui.model.robot import Reading, Robot
+from fleet_tui.model.vehicles.vehicle import VehicleError
+from fleet_tui.orders.local_queue import foreign, waiting_orders_of
 from fleet_tui.situation.alarms.trouble import to_look_at
 from fleet_tui.situation.fact import Fact
 from fleet_tui.situation.facts import OBSTACLE, STOP
 from fleet_tui.situation.links import behind, dead_commands, late_link, no_link, untried_commands
 from fleet_tui.situation.pauses import is_held
-from fleet_tui.situation.robots import absence, blocked_robots
+from fleet_tui.situation.reported_motion import running_action
+from fleet_tui.situation.robots import absence, adrift, blocked_robots
 from fleet_tui.text.language import translate
 from fleet_tui.text.limits import some
 from fleet_tui.text.units import counted
 from fleet_tui.ui.view.roles import StyleRole
 from fleet_tui.ui.view.tables.news import news
+
+
+def navigation(state: FleetState, robot: Robot) -> dict[str, Any]:
+    """Return the additional values of such a robot; empty for a kind without any."""
+    found: dict[str, Any] = {}
+    if "progress" in robot.kind.reports:
+        found["progress"] = _progress(state, robot)
+    if "blocked" in robot.kind.reports:
+        blocked = robot.blocked.value if robot.blocked else None
+        found["blocked"] = blocked.action or None if blocked else None
+        stopped = blocked is not None and blocked.is_stopped
+        found["blocked_s"] = round(state.now - blocked.since, 1) if blocked and stopped else None
+    if "odometry" in robot.kind.reports:
+        estimate = adrift(state, robot)
+        found["localisation_silent_s"] = _silence(state, robot) if estimate else None
+        found["position_variance_m2"] = round(robot.variance.value, 3) if robot.variance else None
+    if robot.kind.keeps_goals:
+        found["kept_here"] = [_kept(robot, order) for order in waiting_orders_of(state, robot)]
+        found["held"] = robot.held or None
+        found["not_ours"] = [order.id for order in foreign(state, robot)]
+    return found
+
+
+def _silence(state: FleetState, robot: Robot) -> float | None:
+    return round(state.now - robot.located_at, 1) if robot.located_at is not None else None
+
+
+def _kept(robot: Robot, order: Order) -> dict[str, Any]:
+    way = route_text(order.stops, lambda vertex: robot.name_of(vertex) or vertex)
+    return {"id": order.id, "mission": order.label or way}
+
+
+def _progress(state: FleetState, robot: Robot) -> dict[str, Any] | None:
+    if robot.progress is None or robot.orders.current is None or not state.is_fresh(robot, "progress"):
+        return None
+    reported = robot.progress.value
+    return {
+        "metres": reported.metres,
+        "seconds": reported.seconds,
+        "elapsed_s": reported.elapsed,
+        "recoveries": reported.recoveries,
+        "stop": reported.stop,
+    }
+
+
+def vehicle(state: FleetState, robot: Robot) -> dict[str, Any]:
+    """Return the additional values of such a vehicle; empty for other kinds, and before its first message."""
+    found: dict[str, Any] = {}
+    if robot.connection is not None:
+        found["connection"] = robot.connection.value.word.lower()
+        found["protocol"] = robot.connection.value.version or None
+    if robot.vehicle is None:
+        return found
+    known, action = robot.vehicle.value, running_action(state, robot)
+    return found | {
+        "protocol": known.version or None,
+        "state_s": round(max(0.0, state.now - robot.vehicle.at), 1),
+        "mode": known.mode.lower() or None,
+        "e_stop": known.e_stop.lower() or None,
+        "field_violation": known.field_violation,
+        "driving": known.driving,
+        "speed_m_s": None if known.speed is None else round(known.speed, 2),
+        "action": action.action.type if action is not None else None,
+        "action_s": None if action is None else round(state.now - action.since, 1),
+        "charging": known.charging,
+        "localised": known.localised,
+        "load": known.load,
+        "last_node": known.last_node or None,
+        "nodes_left": list(known.nodes_left),
+        "waits_for_clearance": known.waits,
+        "errors": [_error(one) for one in known.errors],
+    }
+
+
+def _error(error: VehicleError) -> dict[str, Any]:
+    return {
+        "type": error.type,
+        "level": error.level.lower() or None,
+        "text": error.text or None,
+        "hint": error.hint or None,
+    }
+
 
 VERSION = 2
 

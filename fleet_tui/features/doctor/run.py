@@ -6,7 +6,7 @@ import os
 import shutil
 import sys
 import time
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import assert_never
@@ -18,15 +18,13 @@ from fleet_tui.config.fleet import adapters_of
 from fleet_tui.config.schema import Config
 from fleet_tui.features.doctor.broker_facts import BrokerFacts, facts_of_broker
 from fleet_tui.features.doctor.brokers import broker_findings
-from fleet_tui.features.doctor.causes import causes_of, namespace_finding, rosapi_finding
+from fleet_tui.features.doctor.causes import Cause, causes_of, namespace_finding, rosapi_finding
 from fleet_tui.features.doctor.clocks import clock_findings, load_finding, round_trip_finding
 from fleet_tui.features.doctor.floors import FloorFiles, floor_findings, place_finding, placed_grid
 from fleet_tui.features.doctor.gather import gather
-from fleet_tui.features.doctor.members import member_findings
-from fleet_tui.features.doctor.names import spelling_finding
+from fleet_tui.features.doctor.names import near_service, spelling_finding
 from fleet_tui.features.doctor.probing import bridge_probes, probe_findings
 from fleet_tui.features.doctor.render import as_values, line, summary
-from fleet_tui.features.doctor.services import service_findings
 from fleet_tui.features.doctor.surveys import FloorSurvey, surveys_of
 from fleet_tui.features.doctor.terminal import terminal_findings
 from fleet_tui.features.doctor.topics import robot_findings
@@ -37,9 +35,88 @@ from fleet_tui.links.discovery.wire import BridgeConnection
 from fleet_tui.links.transports.loop import network_loop
 from fleet_tui.maps.floor_files import load_floors
 from fleet_tui.model.events import FloorGraphLoaded, FloorMapLoaded, PoseReported
+from fleet_tui.model.fleets.events import MemberReported, StatusReported, TaskReported
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.navigation_events import FloorReported, LocalisationReported
+from fleet_tui.robots.ros.type_names import same_type
 from fleet_tui.text.errors import ConfigError, did_you_mean
+from fleet_tui.text.units import age, counted
+
+
+def service_findings(robot: str, facts: BridgeFacts, causes: Sequence[Cause]) -> Iterator[Finding]:
+    """Return one finding for each service, one for all if they can't be looked up."""
+    if facts.rosapi.problem:
+        yield Finding(robot, "services", Verdict.SKIPPED, "unknown without rosapi")
+    elif not facts.knows(robot):
+        yield Finding(robot, "services", Verdict.SKIPPED, "not on this bridge: see above")
+    else:
+        called = list(facts.adapters[robot].services(robot))
+        for key, service, expected in called:
+            cause = next((cause for cause in causes if service in cause.services), None)
+            if cause is None:
+                yield _service(robot, key, service, expected, facts)
+            else:
+                values = {"service": service, "node": facts.rosapi.owners.get(service)}
+                folded = f"{cause.short}: see above"
+                yield Finding(robot, f"service {key}", Verdict.SKIPPED, folded, values=values)
+
+
+def _service(robot: str, key: str, service: str, expected: str, facts: BridgeFacts) -> Finding:
+    rosapi, adapter = facts.rosapi, facts.adapters[robot]
+    table = adapter.names.table
+    there, node = rosapi.services.get(service), rosapi.owners.get(service)
+    values = {"service": service, "type": there or None, "expected_type": expected, "node": node or None}
+
+    def finding(verdict: Verdict, measured: str, remedy: str = "", out_of_time: bool = False) -> Finding:
+        return Finding(robot, f"service {key}", verdict, measured, remedy, values, out_of_time)
+
+    if service not in rosapi.services:
+        start = f"start the node that provides it, or correct [{table}.services] {key}"
+        remedy = near_service(adapter, robot, key, service, expected, rosapi) or start
+        return finding(Verdict.FAIL, f"{service} is not on the bridge", remedy)
+    if there is None:
+        return finding(Verdict.SKIPPED, "type not checked: out of time", "use a longer --timeout", True)
+    by = f", by {node}" if node else ""
+    if there and not same_type(there, expected):
+        return finding(
+            Verdict.FAIL,
+            f"{service}{by} has type {there}, not {expected}",
+            f'if the fields match, set [{table}.service_types] {key} = "{there}"; else correct'
+            f" [{table}.services] {key}",
+        )
+    return finding(Verdict.OK, f"{service}, {there or 'type unknown'}{by}")
+
+
+def member_findings(robot: str, facts: BridgeFacts, offline_after: float) -> Iterator[Finding]:
+    """Judge the age of a robot's location by the clock of its driver, and the issues of its adapter."""
+    for one in facts.of(robot):
+        event = one.events.get(robot)
+        if isinstance(event, MemberReported):
+            yield _location(robot, event, one.lags.get(robot), one.lag, offline_after)
+        elif isinstance(event, StatusReported) and event.issues:
+            remedy = "see the log of its fleet adapter"
+            yield Finding(robot, "issues", Verdict.WARN, "; ".join(event.issues[:3]), remedy)
+        elif isinstance(event, TaskReported):
+            state = event.task.state.value if event.task.state else event.task.word
+            told = f"{counted(one.count, 'message')} of tasks, the last of {event.task.id}: {state}"
+            yield Finding(robot, "task", Verdict.OK, told)
+
+
+def _location(
+    robot: str, event: MemberReported, lag: float | None, least: float | None, offline_after: float
+) -> Finding:
+    if event.stamp is None or lag is None or least is None:
+        measured = "its driver gives no time: the age of its location is unknown"
+        return Finding(robot, "location", Verdict.WARN, measured, "set location.t in its fleet adapter")
+    # The robot with the newest stamp has the clock of all.
+    old = lag - least
+    if old > offline_after:
+        measured = f"{age(old)} old, while its fleet adapter goes on"
+        return Finding(
+            robot, "location", Verdict.FAIL, measured, "check the robot and the driver of its fleet"
+        )
+    return Finding(robot, "location", Verdict.OK, f"{age(old)} old, on {event.floor}")
+
 
 FINE = 0
 BROKEN = 1

@@ -1,10 +1,10 @@
 """Findings about each robot and its topics. Pure."""
 
 from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
 
 from fleet_tui.config.entries import RobotEntry
 from fleet_tui.config.schema import Config
-from fleet_tui.features.doctor.cameras import judged_camera
 from fleet_tui.features.doctor.causes import Cause
 from fleet_tui.features.doctor.clocks import load_word
 from fleet_tui.features.doctor.names import near_topic, robots_on
@@ -16,6 +16,44 @@ from fleet_tui.model.navigation_events import OriginReported
 from fleet_tui.robots.ros.names import is_hidden
 from fleet_tui.robots.ros.type_names import same_type
 from fleet_tui.situation.facts import ADRIFT
+
+if TYPE_CHECKING:
+    from fleet_tui.model.set_up.streams import CameraImage
+
+
+SMALL = 64
+"""Pixels of the picture that is decoded to see that it can be."""
+DRIVER = "check its camera driver"
+
+
+def judged_camera(facts: TopicFacts) -> tuple[Verdict, str, str]:
+    """Return verdict, measurement and remedy of a camera's topic, by its newest picture."""
+    if not facts.count:
+        if facts.waited < LONG_ENOUGH:
+            return Verdict.SKIPPED, "not checked: out of time", "use a longer --timeout"
+        complaint = f", rosbridge: {facts.complaint}" if facts.complaint else ""
+        return Verdict.WARN, f"no picture on {facts.topic} in {facts.waited:.1f} s{complaint}", DRIVER
+    # With numpy and Pillow, whose imports take longer than all other findings.
+    from fleet_tui.model.set_up.streams import CameraImage
+
+    image = facts.picture
+    if not isinstance(image, CameraImage):
+        return Verdict.WARN, f"no picture: unreadable: {facts.problem}", DRIVER
+    if image.unshown:
+        return Verdict.WARN, f"no picture: {image.unshown}", "publish JPEG or PNG of at most 4 MB"
+    return _decoded(facts, image)
+
+
+def _decoded(facts: TopicFacts, image: "CameraImage") -> tuple[Verdict, str, str]:
+    from fleet_tui.ui.camera.decoding import decode
+
+    found, kilobytes = decode(image.data, SMALL, SMALL), len(image.data) / 1000
+    if found.pixels is None:
+        return Verdict.WARN, f"no picture: {found.reason}", f"{DRIVER}, and the network between"
+    width, height = found.size
+    rate = "" if facts.rate is None else f", {facts.rate:.1f} Hz"
+    return Verdict.OK, f"{width} x {height} px, {kilobytes:.0f} kB a picture{rate}", ""
+
 
 SLOWEST_POSES = 5.0  # Hz; robots give about 10
 OLDER = 0.5  # seconds by which the stamps of poses grow older while they are measured

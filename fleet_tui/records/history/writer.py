@@ -8,16 +8,19 @@ from collections.abc import Iterator
 from contextlib import contextmanager, nullcontext, suppress
 from datetime import datetime
 from functools import partial
+from itertools import islice
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from fleet_tui.config.schema import Config, HistoryConfig
 from fleet_tui.model.alarm import AlarmStep
 from fleet_tui.model.audit_record import AuditRecord
+from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.history.facts import Note
+from fleet_tui.model.history.facts import Note, OrderChange
 from fleet_tui.records.audit.entries import Origin, alarm_records, command_records, held_records
 from fleet_tui.records.audit.file import FILE_NAME
+from fleet_tui.records.audit.reader import AuditReader
 from fleet_tui.records.history.database import (
     history_path,
     identity,
@@ -26,15 +29,115 @@ from fleet_tui.records.history.database import (
     put_aside,
     transaction,
 )
-from fleet_tui.records.history.observing import Fact, Observer
-from fleet_tui.records.history.pruning import DAY, shrink
-from fleet_tui.records.history.rebuilding import catch_up, rebuild
-from fleet_tui.records.history.tables import end_unseen, end_unseen_alarms, write_all
+from fleet_tui.records.history.observing import HOUR, Fact, Observer
+from fleet_tui.records.history.tables import (
+    ENDS,
+    end_unseen,
+    end_unseen_alarms,
+    write,
+    write_all,
+    write_record,
+)
 from fleet_tui.state.store import Store
 from fleet_tui.storage.lock import LockFile
 from fleet_tui.storage.worker import Worker
 from fleet_tui.storage.write_queue import WriteQueue
 from fleet_tui.text.language import EMPTY, Message, verbatim
+
+MOST = 200_000
+"""Records that are read, the newest ones."""
+STAGES = {Stage.CONFIRMED.value: "queued", **{end: end for end in ENDS}}
+
+
+def rebuild(database: sqlite3.Connection, audit: Path, robots: frozenset[str], since: float) -> int:
+    """Write the records of real fleets' robots since a moment; return their number. Raises OSError."""
+    newest = (record for record in AuditReader(audit).newest_first() if not record.demo)
+    kept = [one for one in islice(newest, MOST) if _is_ours(one, robots) and _at(one) >= since]
+    for record in reversed(kept):
+        write_record(database, record)
+        change = order_change(record)
+        if change is not None:
+            write(database, change, record.run, record.operator)
+    return len(kept)
+
+
+def catch_up(database: sqlite3.Connection, audit: Path, robots: frozenset[str], since: float) -> None:
+    """Write the steps of commands since a moment once more: a console that ended while the disk was full, or
+    the file locked, could not. Raises OSError."""
+    found = []
+    for record in islice(AuditReader(audit).newest_first(), MOST):
+        if _at(record) < since:
+            break
+        if record.kind == "command" and record.robot in robots and not record.demo:
+            found.append(record)
+    for record in reversed(found):
+        write_record(database, record)
+
+
+def _is_ours(record: AuditRecord, robots: frozenset[str]) -> bool:
+    return record.kind in ("command", "alarm") and (not record.robot or record.robot in robots)
+
+
+def _at(record: AuditRecord) -> float:
+    return datetime.fromisoformat(record.time).timestamp()
+
+
+def order_change(record: AuditRecord) -> OrderChange | None:
+    """Return what a record tells about an order that was placed, None if nothing."""
+    stage = STAGES.get(record.change)
+    if stage is None or record.order is None or record.end is None:
+        return None
+    names = [record.start_label or record.start, record.end_label or record.end]
+    way = " -> ".join(filter(None, names)) if names[0] else f"-> {names[1]}"
+    words = record.words if stage in ENDS else ""
+    at = _at(record)
+    return OrderChange(record.robot, record.order, way, at, stage, record.floor, words, record.id)
+
+
+DAY = 86_400.0
+PARTS = (1.0, 0.75, 0.5, 0.25, 0.1)
+"""Parts of the days that are kept, until the file is small enough."""
+
+TEXTS = (("orders", "reason"), ("commands", "reason"), ("links", "reason"), ("alarms", "text"))
+"""Columns with the texts of messages."""
+
+
+def shrink(database: sqlite3.Connection, now: float, config: HistoryConfig) -> None:
+    """Remove what is too old at a time in Unix seconds, and the oldest while the file is too large."""
+    for part in PARTS:
+        with transaction(database):
+            prune(database, now - part * config.days * DAY)
+        database.executescript("PRAGMA incremental_vacuum")  # `execute` would free a single page
+        if _bytes_of(database) <= config.megabytes * 1e6:
+            return
+
+
+def prune(database: sqlite3.Connection, before: float) -> None:
+    """Remove what is older than a moment, and give its space back."""
+    for table, column in (
+        ("orders", "queued"),
+        ("commands", "at"),
+        ("alarms", "raised"),
+        ("links", "at"),
+        ("notes", "at"),
+    ):
+        database.execute(f"DELETE FROM {table} WHERE {column} < ?", (before,))
+    used = " UNION ".join(f"SELECT {column} FROM {table}" for table, column in TEXTS)
+    database.execute(f"DELETE FROM messages WHERE text NOT IN ({used})")
+    for table, column in (("spans", "began"), ("charges", "at")):
+        # By robot: so the tables need no further index, which would be as large as they are.
+        robots = "robot IN (SELECT DISTINCT robot FROM hours)"
+        database.execute(f"DELETE FROM {table} WHERE {robots} AND {column} < ?", (before,))
+    for table in ("charge_hours", "hours"):
+        database.execute(f"DELETE FROM {table} WHERE hour < ?", (int(before // HOUR),))
+
+
+def _bytes_of(database: sqlite3.Connection) -> int:
+    (pages,), (size,) = (
+        database.execute(f"PRAGMA {name}").fetchone() for name in ("page_count", "page_size")
+    )
+    return int(pages) * int(size)
+
 
 LOG = logging.getLogger(__name__)
 

@@ -4,10 +4,52 @@ from collections.abc import Mapping
 from typing import Any
 
 from fleet_tui.model.commands import Command, PauseRobot, Stage
-from fleet_tui.robots.nav2.codes import error_text
 from fleet_tui.robots.service_outcome import judge, said
-from fleet_tui.text.language import EMPTY, Message, counted, joined, verbatim
+from fleet_tui.text.language import EMPTY, N_, Message, counted, joined, verbatim
 from fleet_tui.text.limits import truncate
+
+CODES: Mapping[int, str] = {
+    101: N_("invalid controller plugin"),
+    102: N_("transform missing for the controller"),
+    103: N_("invalid path for the controller"),
+    104: N_("controller patience exceeded"),
+    105: N_("no progress"),
+    106: N_("no valid control"),
+    107: N_("controller timed out"),
+    201: N_("invalid planner plugin"),
+    202: N_("transform missing for the planner"),
+    203: N_("start off the map"),
+    204: N_("goal off the map"),
+    205: N_("start occupied"),
+    206: N_("goal occupied"),
+    207: N_("planner timed out"),
+    208: N_("no path to the goal"),
+    600: N_("waypoint server failed"),
+    601: N_("waypoint task failed"),
+    602: N_("no waypoints"),
+    603: N_("waypoint missed"),
+}
+
+_GROUPS: Mapping[int, str] = {
+    1: N_("controller"),
+    2: N_("planner"),
+    3: N_("planner through poses"),
+    4: N_("route server"),
+    5: N_("smoother"),
+    6: N_("waypoint server"),
+    7: N_("behaviour"),
+    9: N_("docking or navigation"),
+}
+
+
+def error_text(code: int, message: str = "") -> Message:
+    """Return the meaning of an error code, the code, and the robot's own message."""
+    known = N_("navigator failed") if code >= 9000 else CODES.get(code) or _GROUPS.get(code // 100, "")
+    text = Message("error {code}", code=code)
+    if known:
+        text = Message("{text} (error {code})", text=Message(known), code=code)
+    return Message("{text}: {message}", text=text, message=message) if message else text
+
 
 RETURN_CODES = {
     1: Message("rejected by the robot"),

@@ -58,11 +58,38 @@ from fleet_tui.situation.why.robot import (
     unreachable,
     unread,
 )
-from fleet_tui.situation.why.vehicles import VEHICLE_REASONS
 from fleet_tui.text.language import Message
 
 if TYPE_CHECKING:  # numpy
     from fleet_tui.situation.pose_checks.match import Match
+
+from collections.abc import Callable
+from functools import partial
+
+from fleet_tui.situation.fact import Fact
+from fleet_tui.situation.reported_motion import action_text, running_action
+from fleet_tui.situation.vehicles import FINDERS, REPORTED
+from fleet_tui.situation.why.reason import reason_of
+
+
+def _told(find: Callable[[Robot], Fact | None], state: FleetState, robot: Robot) -> Reason | None:
+    fact = find(robot) if state.is_fresh(robot, "vehicle") else None
+    if fact is None:
+        return None
+    return reason_of(fact, Strength.CERTAIN if fact.is_certain else Strength.POSSIBLE)
+
+
+def acts(state: FleetState, robot: Robot) -> Reason | None:
+    """Report the action of its order that it carries out where it stands."""
+    action = running_action(state, robot)
+    if action is None or robot.vehicle is None:
+        return None
+    text = action_text(state, action)
+    return Reason(text, REPORTED, since=action.since, seen=robot.vehicle.at)
+
+
+VEHICLE_REASONS: tuple[Rule, ...] = (*(partial(_told, find) for find in FINDERS), acts)
+
 
 DEAF: tuple[Rule, ...] = (no_link, silent_robot, late_link)
 """If one of these holds, everything else is an earlier report. Silence for longer than the bridge is late

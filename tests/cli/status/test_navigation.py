@@ -4,7 +4,7 @@ from typing import Any
 
 from msgspec.structs import replace
 
-from fleet_tui.cli.status.navigation import navigation
+from fleet_tui.cli.status.report import navigation
 from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.kind import Kind

@@ -1,7 +1,6 @@
 """Tests of fleet_tui/cli/status/vehicle.py: what a program reads of a vehicle."""
 
-from fleet_tui.cli.status.report import report
-from fleet_tui.cli.status.vehicle import vehicle
+from fleet_tui.cli.status.report import report, vehicle
 from tests.support.vda_fleet import VehicleSite
 from tests.support.vda_messages import error, message, node, state
 

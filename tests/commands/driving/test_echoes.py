@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fleet_tui.commands.driving.echoes import MOST, OURS_FOR, Echoes
+from fleet_tui.commands.driving.session import MOST, OURS_FOR, Echoes
 from fleet_tui.model.set_up.driving import STILL, Speeds
 
 SPEED = st.builds(Speeds, st.floats(-1, 1), st.just(0.0), st.floats(-1, 1))

@@ -2,7 +2,7 @@
 
 from hypothesis import given
 
-from fleet_tui.features.audit.table import audit_table, details
+from fleet_tui.features.audit.page import audit_table, details
 from fleet_tui.records.audit.line import line_text, what_text
 from fleet_tui.ui.view.roles import StyleRole
 from tests.support.fleets import text_of

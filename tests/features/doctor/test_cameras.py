@@ -5,7 +5,7 @@ import io
 import pytest
 from PIL import Image
 
-from fleet_tui.features.doctor.cameras import judged_camera
+from fleet_tui.features.doctor.topics import judged_camera
 from fleet_tui.links.discovery.facts import TopicFacts
 from fleet_tui.links.discovery.finding import Verdict
 from fleet_tui.model.set_up.streams import CameraImage

@@ -4,7 +4,7 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 from fleet_tui.config.entries import FloorEntry
-from fleet_tui.features.doctor.graphs import connection_finding, label_finding
+from fleet_tui.features.doctor.floors import connection_finding, label_finding
 from fleet_tui.features.doctor.surveys import FloorSurvey
 from fleet_tui.links.discovery.finding import Verdict
 from fleet_tui.model.graph import Edge, Role, RouteGraph, Vertex

@@ -1,6 +1,6 @@
 """Robots of fleets: their own age, whatever their adapter sends."""
 
-from fleet_tui.features.doctor.members import member_findings
+from fleet_tui.features.doctor.run import member_findings
 from fleet_tui.links.discovery.facts import BridgeFacts, RosapiFacts, TopicFacts
 from fleet_tui.links.discovery.finding import Verdict
 from fleet_tui.model.events import Event

@@ -1,7 +1,7 @@
 """The doctor's judgement of each robot's services, of which none is called."""
 
 from fleet_tui.features.doctor.causes import Cause
-from fleet_tui.features.doctor.services import service_findings
+from fleet_tui.features.doctor.run import service_findings
 from fleet_tui.links.discovery.facts import BridgeFacts
 from fleet_tui.links.discovery.finding import Finding, Verdict
 from tests.support.bridge_facts import NODE, mute, well, with_rosapi, without

@@ -1,8 +1,8 @@
 """The list of routines."""
 
 from fleet_tui.features.routines.lane import Gate, Lane, LanePhase
+from fleet_tui.features.routines.page import routine_table, text_table
 from fleet_tui.features.routines.row import RoutineRow
-from fleet_tui.features.routines.table import routine_table, text_table
 from fleet_tui.text.language import Message
 from fleet_tui.ui.view.tables.table import Table
 from tests.support.fleets import text_of

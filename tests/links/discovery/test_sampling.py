@@ -1,6 +1,12 @@
 """Which topics are asked about: a few of robots that look alike, and nothing is lost by that."""
 
-from fleet_tui.links.discovery.sampling import alike, next_questions, silent, telling_services, telling_topics
+from fleet_tui.links.discovery.questions import (
+    alike,
+    next_questions,
+    silent,
+    telling_services,
+    telling_topics,
+)
 from fleet_tui.robots.oh_ressources.vocabulary import VOCABULARY
 
 POSE, QUEUE = VOCABULARY.topics["pose"][1], VOCABULARY.topics["queue"][1]

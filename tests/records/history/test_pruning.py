@@ -10,8 +10,8 @@ import pytest
 from fleet_tui.config.schema import HistoryConfig
 from fleet_tui.model.history.facts import Charge
 from fleet_tui.records.history.database import open_to_write, transaction
-from fleet_tui.records.history.pruning import DAY, prune, shrink
 from fleet_tui.records.history.tables import write
+from fleet_tui.records.history.writer import DAY, prune, shrink
 from tests.support.shift import shift
 
 TABLES = ("orders", "commands", "alarms", "links", "notes", "spans", "charges", "hours", "charge_hours")

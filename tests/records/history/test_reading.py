@@ -12,9 +12,9 @@ from fleet_tui.model.history.facts import Activity, Charge, LinkChange, OrderCha
 from fleet_tui.records.audit.entries import Origin
 from fleet_tui.records.history.database import open_to_write
 from fleet_tui.records.history.observing import HOUR
-from fleet_tui.records.history.pruning import prune
 from fleet_tui.records.history.reading import History
 from fleet_tui.records.history.tables import write
+from fleet_tui.records.history.writer import prune
 from fleet_tui.text.language import Message, counted, translate, verbatim
 from fleet_tui.ui.languages import ENGLISH, use_language
 from tests.support.records import ANA

@@ -12,7 +12,7 @@ from fleet_tui.records.audit.file import FILE_NAME, audit_file
 from fleet_tui.records.audit.log import encode
 from fleet_tui.records.history.database import open_to_write
 from fleet_tui.records.history.reading import History
-from fleet_tui.records.history.rebuilding import catch_up, order_change, rebuild
+from fleet_tui.records.history.writer import catch_up, order_change, rebuild
 from tests.support.records import ANA
 
 ROBOTS = frozenset({"robot_0"})

@@ -2,7 +2,7 @@
 
 import pytest
 
-from fleet_tui.robots.nav2.codes import CODES, error_text
+from fleet_tui.robots.nav2.action_outcome import CODES, error_text
 
 
 @pytest.mark.parametrize(

@@ -4,8 +4,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from fleet_tui.features.recording.bags.convert import Framer
 from fleet_tui.features.recording.bags.definitions import typestore
-from fleet_tui.features.recording.bags.frames import Framer
 from fleet_tui.features.recording.bags.opening import BagError
 from tests.support.bag_frames import LINE, Connection
 from tests.support.bags import made

@@ -11,8 +11,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from fleet_tui.features.recording.bags.convert import Framer
 from fleet_tui.features.recording.bags.definitions import typestore
-from fleet_tui.features.recording.bags.frames import Framer
 from fleet_tui.model import events
 from fleet_tui.robots.ros import operations
 from tests.support.adapters import adapter_of, event_of

@@ -10,7 +10,7 @@ import pytest
 from msgspec.structs import replace
 
 from fleet_tui.config.schema import Config
-from fleet_tui.links.rosbridge.set_up.mounts import Mounts
+from fleet_tui.links.rosbridge.set_up.stream_writer import Mounts
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.set_up.frames import Mount, Transform
 from fleet_tui.model.set_up.streams import Beams, LaserScan, beams_of
