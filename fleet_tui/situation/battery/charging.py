@@ -16,6 +16,8 @@ CHARGES = Message("Wait: it is charging")
 """The action at a low battery of a robot that says so, or stands at a charger."""
 LOOK_AT_CHARGER = Message("Check the robot and its charger")
 """The action if waiting did not help."""
+STANDS_FROM = 5.0
+"""Seconds without movement from which a robot at a charger does not only pass it."""
 AT_CHARGER = 0.5
 """Metres within which a robot is at a charger."""
 
@@ -26,9 +28,14 @@ def has_low_battery(state: FleetState, robot: Robot) -> bool:
 
 
 def charger_of(state: FleetState, robot: Robot) -> Vertex | None:
-    """Return the charger that a robot without a current order is at, by a pose that still holds."""
+    """Return the charger that a robot without a current order is at."""
+    return charger_at(state, robot) if robot.orders.current is None else None
+
+
+def charger_at(state: FleetState, robot: Robot) -> Vertex | None:
+    """Return the charger that a robot is at, by a pose that still holds."""
     graph = robot.maps.get(robot.floor or "", RobotMap()).graph
-    if graph is None or robot.pose is None or robot.orders.current is not None:
+    if graph is None or robot.pose is None:
         return None
     here = robot.pose.value
     near = (one for one in graph.chargers if math.dist((one.x, one.y), (here.x, here.y)) <= AT_CHARGER)
@@ -58,7 +65,9 @@ def charging_remedy(state: FleetState, robot: Robot) -> Message:
     orders may end at a charger."""
     if charging_reported(state, robot) is not None or charger_used(state, robot) is not None:
         return CHARGES
-    if charger_of(state, robot) is not None:
+    if charger_at(state, robot) is not None and (
+        robot.orders.current is None or robot.still_for >= STANDS_FROM
+    ):
         return LOOK_AT_CHARGER
     graphs = (one.graph for one in robot.maps.values() if one.graph is not None)
     chargers = {vertex.id for graph in graphs for vertex in graph.chargers}

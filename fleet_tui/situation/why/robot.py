@@ -10,7 +10,13 @@ from fleet_tui.model.robot import Robot
 from fleet_tui.orders.newest import own_pause
 from fleet_tui.situation import links
 from fleet_tui.situation.alarms.classes import CLASSES
-from fleet_tui.situation.battery.charging import charger_used, charging_remedy, charging_reported
+from fleet_tui.situation.battery.charging import (
+    CHARGES,
+    charger_used,
+    charging_remedy,
+    charging_reported,
+    has_low_battery,
+)
 from fleet_tui.situation.facts import BAD_DATA, MISPLACED, NO_POSE
 from fleet_tui.situation.localisation import no_pose
 from fleet_tui.situation.movement import JUMPS_WITHIN
@@ -250,26 +256,19 @@ def to_place(state: FleetState, robot: Robot) -> tuple[Message, tuple[str, ...]]
 
 
 def charges(state: FleetState, robot: Robot) -> Reason | None:
-    """Report that it is at a charger, is not full, and drives no order."""
-    charger, battery = charger_used(state, robot), robot.battery
+    """Report that it is at a charger, is not full, and drives no order; by its own word whatever its orders
+    are. That explains a low battery, and that it has no order."""
+    charger, battery, since = charger_used(state, robot), robot.battery, stationary_since(robot)
+    keys, remedy = ((), CHARGES) if has_low_battery(state, robot) else (("order",), EMPTY)
     if (reported := charging_reported(state, robot)) is not None:
-        by = (
-            Message("reported by the vehicle")
-            if reported is robot.vehicle
-            else Message("reported by its driver")
-        )
-        return Reason(Message("charging"), by, Strength.LIKELY, stationary_since(robot), reported.at)
+        is_own = reported is robot.vehicle
+        by = Message("reported by the vehicle") if is_own else Message("reported by its driver")
+        return Reason(Message("charging"), by, Strength.LIKELY, since, reported.at, keys, remedy)
     if charger is None or battery is None or battery.value >= FULL:
         return None
     evidence = Message("at the charger, battery {percent} %, no order active", percent=int(battery.value))
-    since = stationary_since(robot)
-    return Reason(
-        Message("charging at {name_of}", name_of=name_of(robot, charger.id)),
-        evidence,
-        Strength.LIKELY,
-        since,
-        battery.at,
-    )
+    name = Message("charging at {name_of}", name_of=name_of(robot, charger.id))
+    return Reason(name, evidence, Strength.LIKELY, since, battery.at, keys, remedy)
 
 
 def battery(state: FleetState, robot: Robot) -> Reason | None:
@@ -278,6 +277,8 @@ def battery(state: FleetState, robot: Robot) -> Reason | None:
     charge, limits = robot.battery, state.limits
     if charge is None or charge.value >= max(limits.battery_low, limits.battery_critical):
         return None
+    if charges(state, robot) is not None:
+        return None  # which explains it
     critical = charge.value < limits.battery_critical and not state.is_old(robot, "battery")
     limit = limits.battery_critical if critical else limits.battery_low
     strength = Strength.LIKELY if critical else Strength.POSSIBLE

@@ -185,7 +185,9 @@ def reasons(
     if moving is not None and not (unfit or _held(ASTRAY, state, robot)):
         return [moving]
     others = unfit + others
-    following = [] if _has_certain(others) else _held(FOLLOWING, state, robot)
+    # A robot that charges needs no order.
+    is_explained = _has_certain(others) or charges(state, robot) is not None
+    following = [] if is_explained else _held(FOLLOWING, state, robot)
     others += following
     complaints = [one for one in complaints if not _is_told(robot, one, others)]
     if _has_certain(others):

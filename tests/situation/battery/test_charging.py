@@ -105,7 +105,7 @@ def test_a_robot_whose_driver_says_that_it_charges_does_so_whatever_orders_it_ha
     assert activity(state, robot) is Activity.CHARGING
     assert "charging" in [one.name for one in reasons(state, robot)]
     assert not _of(state), "it may charge for a while"
-    told = next(one for one in reasons(state, robot) if one.name == "battery 6 %")
+    told = next(one for one in reasons(state, robot) if one.name == "charging")
     assert (told.remedy, told.keys) == ("Wait: it is charging", ())
     moving = MemberReported(R0, T0 + 31, Pose(3.0, 0.0), F0, 31.0, 6.0, "moving", "")
     left = reduced(state, moving, tick(T0 + 32))

@@ -5,6 +5,7 @@ from msgspec.structs import replace
 
 from fleet_tui.model.commands import CHECK_DELIVERY, ORDER_ENDS, ClearOrders, Stage
 from fleet_tui.model.events import CommandAdvanced
+from fleet_tui.model.geometry import Pose
 from fleet_tui.model.kind import Kind
 from fleet_tui.model.order import Order, at_vertices
 from fleet_tui.model.order_life import GoneOrder
@@ -15,9 +16,10 @@ from fleet_tui.situation.why.orders import RESTART
 from fleet_tui.situation.why.reason import LOOK_AT, Reason
 from fleet_tui.situation.why.why import reasons
 from fleet_tui.text.language import Message
-from tests.support.fleets import LINK, R0, T0, commanded, place_order, pose, queue, reduced, tick
+from tests.support.fleets import F0, LINK, R0, T0, commanded, place_order, pose, queue, reduced, tick
 from tests.support.kinds import FULL, GOALS, moved
-from tests.support.situations import driving, first, names
+from tests.support.planted_fleet import Planted
+from tests.support.situations import AWAY, driving, first, flat, names
 
 KEEPS = replace(GOALS, keeps_goals=True)
 
@@ -72,10 +74,23 @@ def test_orders_that_are_not_listed_any_more_are_why_a_robot_stands() -> None:
         assert not any(one.name.startswith("queue") for one in reasons(state, state.robots[R0]))
 
 
-def test_an_idle_robot_at_the_charger_has_no_orders_first() -> None:
+def test_that_it_charges_explains_a_low_battery_and_that_it_has_no_order() -> None:
     planted = driving("battery:robot_0", ClearOrders(R0), quiet=False).run(120)
-    names = [reason.name for reason in reasons(planted.state, planted.robot)]
-    assert names == ["no orders", "charging at Charger", "battery 8 %"]
+    (only,) = reasons(planted.state, planted.robot)
+    assert (only.name, only.remedy, only.keys) == ("charging at Charger", "Wait: it is charging", ())
+
+
+def test_a_robot_that_stands_at_its_charger_with_an_order_is_not_sent_there() -> None:
+    planted = Planted().run(1)
+    graph = planted.robot.maps[F0].graph
+    assert graph is not None
+    (charger,) = graph.chargers
+    robot = flat(planted, 9.0).world.robots[R0]
+    robot.pose, robot.stuck = Pose(charger.x, charger.y), True
+    planted.run(3).command(AWAY).run(12)
+    assert "Send it to a charger" not in {one.remedy for one in reasons(planted.state, planted.robot)}
+    (alarm,) = (one for one in planted.state.alarms if one.key == (R0, "battery"))
+    assert action_of(alarm.condition) == "Check the robot and its charger"
 
 
 def test_a_robot_without_cargo_does_not_load() -> None:
