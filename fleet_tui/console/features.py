@@ -10,6 +10,7 @@ from textual.screen import Screen
 
 from fleet_tui.features.audit.feature import audit_feature
 from fleet_tui.features.desk.commands import DeskCommands
+from fleet_tui.features.desk.feature import desk_feature
 from fleet_tui.features.desk.notes import join_desk
 from fleet_tui.features.drive.feature import HandDriving
 from fleet_tui.features.graphs.feature import GraphEditing
@@ -156,7 +157,7 @@ class Features:
             programs_feature(console),
             recording_feature(console, screen),
             routines_feature(console),
-            self.desk.feature,
+            desk_feature(self.desk),
             self.editing.feature,
             self.set_up.feature,
             self.driving.feature,

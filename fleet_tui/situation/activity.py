@@ -69,12 +69,12 @@ def _activity(state: FleetState, robot: Robot, blocked: Set[str], kept: Set[str]
 
 def halt_word(state: FleetState, robot: Robot) -> Message:
     """Return what keeps a robot that is blocked: the word of its row and of the counts."""
-    if (fact := obstacle(state, robot)) is not None:
-        return OBSTRUCTED if fact.kind is OBSTACLE else BLOCKED
     if robot.vehicle is not None and state.is_fresh(robot, "vehicle"):
         for find in FINDERS:
             if (fact := find(robot)) is not None and fact.priority is Priority.HIGH:
                 return fact.kind.word
+    if (fact := obstacle(state, robot)) is not None:
+        return OBSTRUCTED if fact.kind is OBSTACLE else BLOCKED
     return STUCK.word if is_stuck(state, robot) else BLOCKED
 
 

@@ -1,4 +1,4 @@
-"""Tests of fleet_tui/rules/commands/masters.py."""
+"""Tests of orders/masters."""
 
 from fleet_tui.commands.checks import problems
 from fleet_tui.config.load import from_text

@@ -1,4 +1,4 @@
-"""Tests of fleet_tui/config/check.py: addresses of brokers, and what belongs to which transport."""
+"""Addresses of brokers, and what belongs to which transport."""
 
 import pytest
 

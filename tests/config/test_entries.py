@@ -1,4 +1,4 @@
-"""Tests of fleet_tui/config/entries.py."""
+"""Tests of config/entries."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""Tests of fleet_tui/client/fleet_link.py: an address chooses the transport by its scheme."""
+"""An address chooses the transport by its scheme."""
 
 from urllib.parse import urlsplit
 

@@ -1,4 +1,4 @@
-"""Tests of fleet_tui/rules/commands/masters.py: the protocol knows one master control."""
+"""The protocol knows one master control."""
 
 from typing import Any
 

@@ -1,4 +1,4 @@
-"""Tests of fleet_tui/state/vehicle_reports.py: who is online, and what an order adds to the graph."""
+"""Who is online, and what an order adds to the graph."""
 
 from fleet_tui.cli.status.report import attention
 from fleet_tui.model import events

@@ -16,7 +16,6 @@ from fleet_tui.text.language import EMPTY, Message, joined, message_of
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.ui.controllers.console import Console
 from fleet_tui.ui.controllers.typed import Entry, Typed
-from fleet_tui.ui.screens.feature import Feature
 from fleet_tui.ui.view.lines.impact import impact_lines, impact_text
 
 USAGE = {
@@ -36,7 +35,6 @@ class DeskCommands:
         self._files = console.files
         self._post = console.backend.post
         self._clock = console.settings.clock
-        self.feature = Feature(actions={"desk": self.menu}, typed=(self.typed,))
 
     def typed(self, line: str) -> Typed | None:
         """Parse a typed line, None if it is not about the desk."""

@@ -29,7 +29,7 @@ class Flood(Struct, frozen=True):
 
 FLOODS = {
     "offline": Flood(Message("offline"), Message("robots back online"), Priority.HIGH),
-    "stuck": Flood(STUCK.word, STUCK.over, Priority.MEDIUM),
+    "stuck": Flood(Message("stuck with an order"), STUCK.over, Priority.MEDIUM),
     "pause": Flood(Message("in a long pause"), Message("pauses ended"), Priority.LOW),
     "localisation": Flood(
         Message("with an uncertain position"), Message("localisation recovered"), Priority.MEDIUM

@@ -238,7 +238,7 @@ def unexplained(state: FleetState, robot: Robot) -> Reason | None:
         "{mission} active{ruled_out}", mission=mission(robot, order), ruled_out=ruled_out and "; " + ruled_out
     )
     waited = age(waits_for(state, robot))
-    if since is not None and state.now - since < SHORT:  # a turn, a crossing, loading: it may drive on
+    if since is not None and waits_for(state, robot) < SHORT:  # a turn, a crossing, loading: it may drive on
         return Reason(Message("waiting {age}, nothing wrong so far", age=waited), evidence, Strength.NONE)
     word = STUCK.word if is_stuck(state, robot) else Message("waiting")
     name = Message("{word} {age}: cause unknown", word=word, age=waited)

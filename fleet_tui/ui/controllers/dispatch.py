@@ -20,6 +20,7 @@ from fleet_tui.state.store import Store
 from fleet_tui.text.language import EMPTY, Message, joined, verbatim
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.ui.backend import Backend
+from fleet_tui.ui.controllers.files import READ_ONLY
 from fleet_tui.ui.controllers.notices import Notices
 from fleet_tui.ui.view.lines.questions import losses, question
 
@@ -66,10 +67,15 @@ class Dispatch:
 
     def set_up_refusal(self, needed: Right = Right.SETUP) -> Message:
         """Return the reason that what needs a right can't begin at this console, empty if it can."""
-        if refusal := self.desk_refusal(needed):
-            return refusal
         objection = self.permissions.objection(needed)
-        return Message("not sent: {problem}", problem=objection.text) if objection else EMPTY
+        match objection.check if objection else "":
+            case "read-only":
+                return READ_ONLY
+            case "not armed" if objection and not self._backend.refusal:
+                return Message("not sent: {problem}", problem=objection.text)
+            case "not allowed" if objection:
+                return objection.text
+        return self._backend.refusal
 
     def desk_refusal(self, needed: Right = Right.DISPATCH) -> Message:
         """Return the reason that nothing may be claimed or closed from this console, empty if it may: it need

@@ -1,4 +1,4 @@
-"""Tests of fleet_tui/cli/status/vehicle.py: what a program reads of a vehicle."""
+"""What a program reads of a vehicle."""
 
 from fleet_tui.cli.status.report import report, vehicle
 from tests.support.vda_fleet import VehicleSite

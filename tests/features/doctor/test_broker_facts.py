@@ -1,4 +1,4 @@
-"""Tests of fleet_tui/doctor/broker_facts.py: `fleet-tui doctor` on a real broker."""
+"""Tests of features/doctor/broker_facts: `fleet-tui doctor` on a real broker."""
 
 import asyncio
 import json

@@ -1,4 +1,4 @@
-"""Tests of fleet_tui/doctor/brokers.py: what is told of a broker and its vehicles."""
+"""What is told of a broker and its vehicles."""
 
 from typing import Any
 

@@ -1,4 +1,4 @@
-"""Tests of fleet_tui/discovery/vehicles.py: from the address of a broker to a configuration."""
+"""From the address of a broker to a configuration."""
 
 import asyncio
 from collections.abc import Sequence

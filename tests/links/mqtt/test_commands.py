@@ -1,4 +1,4 @@
-"""Tests of fleet_tui/client/mqtt/commands.py: each command ends once, by the states that follow it."""
+"""Each command ends once, by the states that follow it."""
 
 import asyncio
 import json

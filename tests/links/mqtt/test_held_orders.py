@@ -1,4 +1,4 @@
-"""Tests of fleet_tui/client/mqtt/commands.py: an order that waits for a state is sent as meant, or never."""
+"""An order that waits for a state is sent as meant, or never."""
 
 import asyncio
 from collections.abc import AsyncIterator, Iterator

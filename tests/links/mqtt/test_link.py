@@ -1,4 +1,4 @@
-"""Tests of fleet_tui/client/mqtt/link.py: what only bridges have."""
+"""What only bridges have."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""Tests of fleet_tui/client/mqtt/telemetry.py: a broker's messages in the store."""
+"""A broker's messages in the store."""
 
 import asyncio
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""Tests of fleet_tui/model/vehicles/vehicle.py."""
+"""Tests of model/vehicles/vehicle."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""Tests of fleet_tui/adapters/vda5050/adapter.py: the kind, by role and by site."""
+"""The kind, by role and by site."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""Tests of fleet_tui/adapters/vda5050/answers.py: what a state says of a command before it."""
+"""What a state says of a command before it."""
 
 from typing import Any
 

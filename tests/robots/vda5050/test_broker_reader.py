@@ -1,4 +1,4 @@
-"""Tests of fleet_tui/adapters/vda5050/reader.py: messages with their topics, counted and read."""
+"""Messages with their topics, counted and read."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""Tests of fleet_tui/adapters/vda5050/reading.py."""
+"""Tests of robots/vda5050/messages."""
 
 from datetime import UTC, datetime
 

@@ -1,4 +1,4 @@
-"""Tests of fleet_tui/adapters/vda5050/discovery.py."""
+"""Tests of robots/vda5050/discovery."""
 
 from fleet_tui.robots.discovery import Listed
 from fleet_tui.robots.vda5050.discovery import SeenVehicle, discover, named

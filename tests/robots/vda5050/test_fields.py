@@ -1,4 +1,4 @@
-"""Tests of fleet_tui/adapters/vda5050/fields.py: a wrong field is named and left out."""
+"""A wrong field is named and left out."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""Tests of fleet_tui/adapters/vda5050/frames.py."""
+"""Tests of robots/vda5050/frames."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""Tests of fleet_tui/adapters/vda5050/memory.py: what did not change is told now and then, not each time."""
+"""What did not change is told now and then, not each time."""
 
 from typing import Any
 

@@ -1,4 +1,4 @@
-"""Tests of fleet_tui/adapters/vda5050/reading.py: messages as events."""
+"""Messages as events."""
 
 from typing import Any
 

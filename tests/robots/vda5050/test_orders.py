@@ -1,4 +1,4 @@
-"""Tests of fleet_tui/adapters/vda5050/orders.py: what leaves for a vehicle."""
+"""What leaves for a vehicle."""
 
 from typing import Any
 

@@ -1,4 +1,4 @@
-"""Tests of fleet_tui/adapters/vda5050/state.py: the table from states to our model, in all versions."""
+"""The table from states to our model, in all versions."""
 
 import json
 from typing import Any

@@ -1,4 +1,4 @@
-"""Tests of fleet_tui/adapters/vda5050/topics.py."""
+"""Tests of robots/vda5050/topics."""
 
 from fleet_tui.robots.vda5050.topics import Topics, with_name
 

@@ -1,4 +1,4 @@
-"""Tests of fleet_tui/simulator/vda5050/broker.py."""
+"""Tests of simulator/vda5050/broker."""
 
 import asyncio
 

@@ -1,4 +1,4 @@
-"""Tests of fleet_tui/simulator/vda5050/serving.py: a vehicle on a broker."""
+"""A vehicle on a broker."""
 
 import json
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""Tests of fleet_tui/simulator/vda5050/faults.py: each fault is seen in the state."""
+"""Each fault is seen in the state."""
 
 import pytest
 

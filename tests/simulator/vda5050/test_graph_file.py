@@ -1,4 +1,4 @@
-"""Tests of fleet_tui/simulator/vda5050/graph_file.py: the console reads what it writes."""
+"""The console reads what it writes."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""Tests of fleet_tui/simulator/vda5050/serving.py, by the published model of another library."""
+"""Tests of simulator/vda5050/serving, by the published model of another library."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""Tests of fleet_tui/simulator/vda5050/serving.py: `fleet-tui sim --kind vda5050` as a process."""
+"""Tests of simulator/vda5050/serving: `fleet-tui sim --kind vda5050` as a process."""
 
 import signal
 import socket

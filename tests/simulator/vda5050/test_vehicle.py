@@ -1,4 +1,4 @@
-"""Tests of fleet_tui/simulator/vda5050/vehicle.py: what a vehicle does with orders and actions."""
+"""What a vehicle does with orders and actions."""
 
 from typing import Any
 

@@ -1,4 +1,4 @@
-"""Tests of fleet_tui/rules/alarms/vehicles.py."""
+"""Tests of situation/alarms/vehicles."""
 
 from fleet_tui.cli.status.report import attention
 from fleet_tui.model.alarm import Priority

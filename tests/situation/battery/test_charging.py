@@ -2,6 +2,7 @@
 
 from msgspec.structs import replace
 
+from fleet_tui.keys.keymap import keymap
 from fleet_tui.model.events import Event, FloorGraphLoaded, GraphReceived
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.fleets.events import MemberReported
@@ -15,6 +16,7 @@ from fleet_tui.situation.alarms.conditions import CHARGES_WITHIN
 from fleet_tui.situation.alarms.trouble import in_turn, urgency
 from fleet_tui.situation.battery.charging import AT_CHARGER, charger_of, has_low_battery
 from fleet_tui.situation.why.why import reasons
+from fleet_tui.ui.view.lines.why import why_lines
 from fleet_tui.ui.view.roles import StyleRole
 from fleet_tui.ui.view.tables.fleet import fleet_table
 from tests.support.fleets import F0, R0, T0, battery, fleet, link_up, pose, queue, reduced, text_of, tick
@@ -69,6 +71,15 @@ def test_a_robot_on_its_way_to_a_charger_needs_no_order() -> None:
     )
     assert (told.remedy, told.keys) == ("Wait: it is on its way to a charger", ())
     assert beside.keys == ("charge",)
+
+
+def test_who_drives_to_a_charger_is_offered_no_other_order() -> None:
+    end = T0 + 10
+    way = queue(end, (7, 2, 1, "W"), current=7)
+    state = reduced(standing(5.0, way), pose(end + 0.5, 4.5), tick(end + 0.6))
+    lines = why_lines(state, state.robots[R0], keymap({})[0])
+    assert lines[0].startswith("robot_0 is driving")
+    assert lines[-1].strip() == "Wait: it is on its way to a charger"
 
 
 def test_the_row_of_a_charging_robot_is_calm() -> None:

@@ -1,4 +1,4 @@
-"""Tests of fleet_tui/rules/why/vehicles.py: why a vehicle stands still."""
+"""Why a vehicle stands still."""
 
 from typing import Any
 

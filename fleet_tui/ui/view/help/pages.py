@@ -190,7 +190,8 @@ STATES = {
     Activity.WAITING: Message("stopped with an order, and for how long: amber from 30 s on"),
     Activity.LOADING: Message("at a stop of its order"),
     Activity.BLOCKED: Message(
-        "in contact with an obstacle, stopped by its navigation, or stuck with an order"
+        "in contact with an obstacle, stopped by its navigation, by an emergency stop or a grave error,"
+        " or stuck with an order: the row says which"
     ),
     Activity.PAUSED: Message("by this console, or from elsewhere, which is marked"),
     Activity.IDLE: Message("stopped, without a known order"),

@@ -12,6 +12,7 @@ from fleet_tui.model.order import natural
 from fleet_tui.model.robot import Robot
 from fleet_tui.situation.alarms.classes import action_of
 from fleet_tui.situation.alarms.trouble import acknowledged, in_trouble
+from fleet_tui.situation.battery.charging import CHARGES, ON_ITS_WAY
 from fleet_tui.situation.reported_motion import STANDS_AFTER, says_driving
 from fleet_tui.situation.why.complaints import Complaint
 from fleet_tui.situation.why.place import place_text
@@ -99,7 +100,8 @@ def _alarms(
                 f"▲ {translate(sanitize(alarm.text))}",
                 f"    {translate(action_of(alarm.condition))}",
             )
-            yield from (f"    {line}" for line in _help_lines(ACTS.get(class_, ()), keys, hidden))
+            acts = () if alarm.condition.remedy in (ON_ITS_WAY, CHARGES) else ACTS.get(class_, ())
+            yield from (f"    {line}" for line in _help_lines(acts, keys, hidden))
 
 
 def _others(state: FleetState, robot: Robot, keys: Mapping[str, tuple[str, ...]]) -> Iterator[str]:

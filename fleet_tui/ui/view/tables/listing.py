@@ -92,8 +92,12 @@ class Listing:
         """Return the marked rows as lines, else the cursor's, empty without one."""
         marked = [n for n, key in enumerate(self._table.keys) if identity(key) in self.marks]
         rows = [self._table.rows[n] for n in marked or [self._place] if n < len(self._table.rows)]
-        texts = [row.whole or "".join(text for text, _ in row.runs).strip() for row in rows]
-        return "\n".join(dict.fromkeys(texts) if any(row.whole for row in rows) else texts)
+        # The rows of one opened text are that text once.
+        texts = {
+            row.whole or n: row.whole or "".join(text for text, _ in row.runs).strip()
+            for n, row in enumerate(rows)
+        }
+        return "\n".join(texts.values())
 
     def slide(self, step: int) -> None:
         """Slide long rows to the left or right."""

@@ -1,4 +1,4 @@
-"""Tests of fleet_tui/transports/mqtt/connection.py, against a real mosquitto."""
+"""Tests of links/transports/mqtt/connection, against a real mosquitto."""
 
 from pathlib import Path
 

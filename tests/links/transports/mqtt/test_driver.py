@@ -1,4 +1,4 @@
-"""Tests of fleet_tui/transports/mqtt/session.py, against a real broker."""
+"""Tests of links/transports/mqtt/session, against a real broker."""
 
 import asyncio
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""Tests of fleet_tui/transports/mqtt/fed_client.py, against a server that sends exactly these bytes."""
+"""Tests of links/transports/mqtt/fed_client, against a server that sends exactly these bytes."""
 
 import asyncio
 from collections.abc import AsyncIterator, Sequence

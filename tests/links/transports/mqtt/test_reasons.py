@@ -1,4 +1,4 @@
-"""Tests of fleet_tui/transports/mqtt/reasons.py."""
+"""Tests of links/transports/mqtt/reasons."""
 
 import pytest
 

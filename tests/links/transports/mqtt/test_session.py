@@ -1,4 +1,4 @@
-"""Tests of fleet_tui/transports/mqtt/session.py, against a real broker."""
+"""Tests of links/transports/mqtt/session, against a real broker."""
 
 from pathlib import Path
 

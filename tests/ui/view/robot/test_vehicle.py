@@ -1,4 +1,4 @@
-"""Tests of fleet_tui/view/robot/sections.py: a vehicle's own lines on its page."""
+"""A vehicle's own lines on its page."""
 
 from fleet_tui.situation.robots import NO_STATES, silence
 from fleet_tui.ui.view.robot.sections import factsheet_rows, vehicle_rows

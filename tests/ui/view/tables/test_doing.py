@@ -5,6 +5,7 @@ from typing import Any
 import pytest
 from msgspec.structs import replace
 
+from fleet_tui.model.alarm import AlarmStage
 from fleet_tui.model.events import Event, ObstacleReported, PausedReported
 from fleet_tui.model.fleet import FleetState, with_robot
 from fleet_tui.model.fleets.member import Member
@@ -137,3 +138,17 @@ def test_a_row_never_ends_within_a_word_or_is_longer_than_its_pane() -> None:
         shown = [text_of(fleet_table(state, R0, width).rows[0].runs) for width in range(44, 120)]
         assert all(len(row.rstrip()) <= width for width, row in enumerate(shown, 44))
         assert all("…" not in row for row in shown)
+
+
+def test_a_shelved_obstacle_is_said_once_in_each_language() -> None:
+    state = standing(ObstacleReported(R0, AT, 40.0))
+    alarms = tuple(replace(alarm, stage=AlarmStage.SHELVED) for alarm in state.alarms)
+    assert alarms
+    state = replace(state, alarms=alarms)
+    for language in (ENGLISH, "de", "pt"):
+        use_language(language)
+        try:
+            row = text_of(fleet_table(state, R0, 100).rows[0].runs)
+        finally:
+            use_language(ENGLISH)
+        assert row.count("40 s") == 1, row
