@@ -9,6 +9,7 @@ from fleet_tui.model.alarm import Alarm, AlarmStage, Key
 from fleet_tui.model.commands import CommandRecord
 from fleet_tui.model.desk.desk import Desk, Ends
 from fleet_tui.model.fleets.facility import Facility
+from fleet_tui.model.geometry import Line
 from fleet_tui.model.grid import OccupancyGrid
 from fleet_tui.model.link import LinkState, Phase
 from fleet_tui.model.robot import Reading, Robot
@@ -69,12 +70,20 @@ class BlockedEdge(Struct, frozen=True):
     passed: bool = False
 
 
+class Deadlock(Struct, frozen=True):
+    """A robot waits for another one, which waits for it, since a monotonic second; `way`: its next edges."""
+
+    other: str
+    since: float
+    way: tuple[Line, ...] = ()
+
+
 class FleetState(Struct, frozen=True, eq=False):
     """Everything known at one instant. `now` is monotonic, `wall` Unix time, both of the last tick; `began`
     is the start of each condition, alarm or not yet; `behind`: seconds by which this console reads messages
     late, which count against no robot, `behind_at` when that was last a second or more; `desk`: its people;
     `facilities` are the lifts, doors and the like of sites, by key; `blocked` are the edges on which robots
-    are held up, by robot."""
+    are held up, `deadlocks` those that wait for each other, by robot."""
 
     floors: Mapping[str, Floor]
     robots: Mapping[str, Robot]
@@ -90,6 +99,7 @@ class FleetState(Struct, frozen=True, eq=False):
     desk: Desk = Desk()
     facilities: Mapping[str, Facility] = field(default_factory=dict)
     blocked: Mapping[str, BlockedEdge] = field(default_factory=dict)
+    deadlocks: Mapping[str, Deadlock] = field(default_factory=dict)
 
     def patience(self, robot: Robot) -> float:
         """Return the seconds of silence after which a robot counts as offline. Messages still unread by this

@@ -72,7 +72,7 @@ class MapFrame(Struct, frozen=True):
 def metres_from(at: tuple[float, float], line: Line) -> float:
     """Return the metres from a place to a line between two others."""
     (x, y), (x0, y0, x1, y1) = at, line
-    square = (x1 - x0) ** 2 + (y1 - y0) ** 2
+    square = (x1 - x0) * (x1 - x0) + (y1 - y0) * (y1 - y0)  # ** would raise on a pose at 1e300
     share = ((x - x0) * (x1 - x0) + (y - y0) * (y1 - y0)) / square if square else 0.0
     share = min(1.0, max(0.0, share))
     return math.dist(at, (x0 + share * (x1 - x0), y0 + share * (y1 - y0)))

@@ -300,6 +300,19 @@ CLEARANCE = FactKind(
 MAP_DISABLED = FactKind(
     "map", Message("map is not enabled"), remedy=Message("Enable the map from the master control (enableMap)")
 )
+DEADLOCK = FactKind(
+    N_("deadlock"),
+    Message("deadlock"),
+    Message("no longer wait for each other"),
+    AlarmClass(
+        "medium",
+        "two robots with orders stand for 30 s, each on the other's next edge, by no pause or obstacle",
+        "neither drives on; others queue behind them",
+        Message("Send one of them away: cancel its order, order it elsewhere, then give its order again"),
+        5,
+    ),
+    keys=("centre", "cancel", "order"),
+)
 
 FACTS = (
     NO_LINK,
@@ -340,4 +353,5 @@ FACTS = (
     BY_HAND,
     CLEARANCE,
     MAP_DISABLED,
+    DEADLOCK,
 )

@@ -20,6 +20,7 @@ from fleet_tui.model.vehicles.events import VehicleFact
 from fleet_tui.orders.local_queue import with_held_queues
 from fleet_tui.situation.alarms.conditions import conditions
 from fleet_tui.situation.alarms.floods import without_floods
+from fleet_tui.situation.deadlocks import with_deadlocks
 from fleet_tui.situation.failures import taken_back
 from fleet_tui.situation.lag import with_lags
 from fleet_tui.situation.pose_checks.misplaced import with_misplaced
@@ -99,6 +100,7 @@ def _pass_time(state: FleetState, event: events.TimePassed) -> FleetState:
         state = replace(state, desk=replace(state.desk, acted=""))
     state = _without_ended(state)
     state = with_misplaced(with_held_queues(confirm_commands(state)), before)
+    state = with_deadlocks(state, before)
     held = {alarm.key: alarm.condition for alarm in state.alarms if alarm.holds}
     found = list(conditions(state, held))
     began = {one.key: state.began.get(one.key, event.at) for one in found}

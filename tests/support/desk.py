@@ -129,6 +129,8 @@ class Desk:
         self.said: list[str] = []
         """Notices, each once."""
         self.answers: list[Callable[[], None]] = []
+        self.charge: Callable[[], None] | None = None
+        """What the last question offers in place of the order."""
         self.menus: list[Menu] = []
         self.selected: list[str] = []
         self.camera = Camera()
@@ -171,7 +173,10 @@ class Desk:
         if self.notices.text:
             self.said.append(self.notices.text)
 
-    def ask(self, question: Callable[[], str], then: Callable[[], None]) -> None:
+    def ask(
+        self, question: Callable[[], str], then: Callable[[], None], charge: Callable[[], None] | None = None
+    ) -> None:
+        self.charge = charge
         self.asked.append(question())
         assert self.asked[-1]
         self.answers.append(then)

@@ -5,6 +5,7 @@ import math
 from fleet_tui.model.commands import Command
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
+from fleet_tui.simulator.robot import SimOrder
 from fleet_tui.situation.why.reason import Reason
 from fleet_tui.situation.why.why import reasons
 from tests.support.fleets import R0, place_order
@@ -42,6 +43,15 @@ def behind_another(percent: float = 80.0) -> Planted:
         one.pose.x + (ahead[0] if turned_to_x else 0.0), one.pose.y + (0.0 if turned_to_x else ahead[1])
     )
     one.stuck = True
+    return planted
+
+
+def face_to_face() -> Planted:
+    """robot_1 stands on the edge that robot_0 has to take, with cargo for where that one comes from."""
+    planted = behind_another()
+    other = planted.world.robots["robot_1"]
+    other.paused, other.stuck = False, True
+    other.cargo, other.orders = True, [SimOrder(9, CONSUMIDORES, BASE, status="W")]
     return planted
 
 

@@ -9,7 +9,7 @@ from fleet_tui.model.desk.desk import Ends, ends_of
 from fleet_tui.model.fleet import BlockedEdge, FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.situation.robots import is_blocked_for_long
-from fleet_tui.situation.why.traffic import AT_VERTEX, ROBOT_WIDTH, same_frame
+from fleet_tui.situation.traffic import AT_VERTEX, ROBOT_WIDTH, same_frame
 
 SUSPECT_FOR = 30.0
 """Seconds after a jump of its pose for which a robot may be elsewhere."""

@@ -3,22 +3,23 @@
 import math
 
 from fleet_tui.commands.language.lookup import Place
+from fleet_tui.commands.routes.nearest import GraphDistances, metres_to
 from fleet_tui.model.commands import PlaceOrder
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.model.graph import RouteGraph, Vertex
+from fleet_tui.model.graph import Vertex
 from fleet_tui.model.kind import ORDER_TO
 from fleet_tui.model.order import at_vertices
 from fleet_tui.model.request import Request
 from fleet_tui.model.robot import Robot, RobotMap
 from fleet_tui.model.set_up.commands import StartCharging
-from fleet_tui.situation.battery.charging import charger_of, charging_reported
+from fleet_tui.situation.battery.charging import AT_CHARGER, charger_of, charging_reported
 from fleet_tui.text.errors import CommandError
 from fleet_tui.text.language import EMPTY, Message
 
 
 def way_to_charger(state: FleetState, robot: Robot) -> tuple[Place, ...]:
-    """Return the vertex nearest to a robot and the nearest free charger on its floor that it can reach from
-    there; empty without one, or if it is there."""
+    """Return the vertex nearest to a robot and the nearest free charger that it can reach from there, by lift
+    if its orders change floors; empty without one, or if it is there."""
     try:
         return _way(state, robot)
     except CommandError:
@@ -63,30 +64,36 @@ def _way(state: FleetState, robot: Robot) -> tuple[Place, Place]:
     """Return where the way to a charger begins and ends. Raises CommandError if there is none."""
     if robot.pose is None or robot.floor is None:
         raise CommandError(Message("the place of {name} is not known", name=robot.name))
-    here, pose = robot.maps.get(robot.floor, RobotMap()), robot.pose.value
-    if here.graph is None or not here.graph.chargers:
-        raise CommandError(Message("no graph shows a charger on {floor}", floor=robot.floor))
+    floor, pose = robot.floor, robot.pose.value
+    floors = robot.maps if robot.kind.changes_floors else [floor]
+    graphs = {name: graph for name in floors if (graph := robot.maps.get(name, RobotMap()).graph) is not None}
+    chargers = [_place(robot, name, one.id) for name, graph in graphs.items() for one in graph.chargers]
+    if not chargers or floor not in graphs:
+        raise CommandError(Message("no graph shows a charger on {floor}", floor=floor))
 
-    others = [one for one in state.robots.values() if one.name != robot.name and one.floor == robot.floor]
-    taken = {charger.id for one in others if (charger := charger_of(state, one)) is not None}
-    free = [one for one in here.graph.chargers if one.id not in taken]
+    others = [one for one in state.robots.values() if one.name != robot.name]
+    taken = [(one.floor, charger.id) for one in others if (charger := charger_of(state, one)) is not None]
+    free = [place for place in chargers if (place.floor, place.vertex) not in taken]
     if not free:
-        raise CommandError(Message("other robots are at all chargers of {floor}", floor=robot.floor))
+        raise CommandError(Message("other robots are at all chargers of {floor}", floor=floor))
 
     def metres(vertex: Vertex) -> float:
         return math.dist((vertex.x, vertex.y), (pose.x, pose.y))
 
-    start = min(here.graph.vertices.values(), key=metres)
-    ways = {one.id: _metres(here.graph, start, one, metres(one)) for one in free}
-    nearest = min(ways, key=lambda id_: ways[id_])
-    if nearest == start.id:
+    starts = sorted(graphs[floor].vertices.values(), key=metres)
+    found = GraphDistances()
+    ways = {place: metres_to(robot, floor, [(starts[0].id, 0.0)], place, found) for place in free}
+    if not graphs[floor].edges:
+        ways |= {one: metres(graphs[floor].vertices[one.vertex]) for one in free if one.floor == floor}
+    end = min(ways, key=lambda place: ways[place])
+    if (end.floor, end.vertex) == (floor, starts[0].id) and metres(starts[0]) <= AT_CHARGER:
         raise CommandError(Message("{name} is at a charger", name=robot.name))
-    if not math.isfinite(ways[nearest]):
+    if not math.isfinite(ways[end]):
         raise CommandError(Message("no path on the graph leads {name} to a charger", name=robot.name))
-    begin, end = (Place(id_, here.name_of(id_) or id_, robot.floor) for id_ in (start.id, nearest))
-    return begin, end
+    # An order from the charger to the charger is none.
+    start = next((one.id for one in starts if (floor, one.id) != (end.floor, end.vertex)), end.vertex)
+    return _place(robot, floor, start), end
 
 
-def _metres(graph: RouteGraph, start: Vertex, charger: Vertex, straight: float) -> float:
-    """Return the metres of the way to a charger, infinite without one; without edges those to it."""
-    return graph.metres_to([charger.id]).get(start.id, math.inf) if graph.edges else straight
+def _place(robot: Robot, floor: str, vertex: str) -> Place:
+    return Place(vertex, robot.maps[floor].name_of(vertex) or vertex, floor)

@@ -16,7 +16,7 @@ from fleet_tui.model.graph import RouteGraph
 from fleet_tui.model.order import Order
 from fleet_tui.model.robot import Robot, RobotMap
 from fleet_tui.orders.local_queue import all_orders
-from fleet_tui.situation.why.traffic import stops_left
+from fleet_tui.situation.traffic import stops_left
 from fleet_tui.text.language import Message
 
 MOST_GRAPHS = 64

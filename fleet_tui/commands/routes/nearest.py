@@ -50,7 +50,7 @@ class Nearest(Struct, frozen=True):
 def nearest(state: FleetState, places: Sequence[Place]) -> Nearest | None:
     """Return the idle robot with the shortest way to the first place and a way from each to the next, None
     without one. Robots at the same distance come in the order of the configuration."""
-    graphs = _Graphs()
+    graphs = GraphDistances()
     found = (_candidate(state, robot, places, graphs) for robot in state.robots.values())
     return min(filter(None, found), key=lambda one: one.metres, default=None)
 
@@ -113,7 +113,7 @@ def _reports_battery(robot: Robot) -> bool:
     return "battery" in robot.kind.reports and "battery" not in robot.unmeasured
 
 
-class _Graphs:
+class GraphDistances:
     """Distances along graphs, each searched once: robots share graphs."""
 
     def __init__(self) -> None:
@@ -135,22 +135,24 @@ class _Graphs:
         return min((before + known.get(vertex, math.inf) for vertex, before in starts), default=math.inf)
 
 
-def _candidate(state: FleetState, robot: Robot, places: Sequence[Place], graphs: _Graphs) -> Nearest | None:
+def _candidate(
+    state: FleetState, robot: Robot, places: Sequence[Place], graphs: GraphDistances
+) -> Nearest | None:
     if why_not(state, robot) or robot.floor is None:
         return None
     own = [one for place in places if (one := own_place(state, robot, place)) is not None]
     here = robot.maps[robot.floor].graph if robot.floor in robot.maps else None
     if here is None or len(own) < len(places) or not own:
         return None
-    metres = _metres(robot, robot.floor, graphs.near(robot, here), own[0], graphs)
-    legs = (_metres(robot, one.floor, [(one.vertex, 0.0)], other, graphs) for one, other in pairwise(own))
+    metres = metres_to(robot, robot.floor, graphs.near(robot, here), own[0], graphs)
+    legs = (metres_to(robot, one.floor, [(one.vertex, 0.0)], other, graphs) for one, other in pairwise(own))
     if not all(map(math.isfinite, (metres, *legs))):
         return None
     charge = robot.battery.value if robot.battery is not None and _reports_battery(robot) else None
     return Nearest(robot.name, tuple(own), metres, charge)
 
 
-def _metres(robot: Robot, floor: str, starts: Sequence[Spot], end: Place, graphs: _Graphs) -> float:
+def metres_to(robot: Robot, floor: str, starts: Sequence[Spot], end: Place, graphs: GraphDistances) -> float:
     """Return the metres of the shortest way, over floors by lift, all of which are assumed to connect;
     infinite without one."""
     here, there = robot.maps[floor].graph, robot.maps[end.floor].graph

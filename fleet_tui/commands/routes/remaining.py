@@ -5,7 +5,7 @@ import math
 from fleet_tui.commands.routes.order_draft import place_of, stop_at, way_between
 from fleet_tui.model.order import Order
 from fleet_tui.model.robot import Robot
-from fleet_tui.situation.why.traffic import stops_left
+from fleet_tui.situation.traffic import stops_left
 
 
 def metres_left(robot: Robot, order: Order) -> float | None:

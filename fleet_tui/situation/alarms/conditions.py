@@ -24,6 +24,7 @@ from fleet_tui.situation.battery.charging import (
     charging_reported,
 )
 from fleet_tui.situation.causes import cause_of_standing
+from fleet_tui.situation.deadlocks import deadlock
 from fleet_tui.situation.fact import Fact
 from fleet_tui.situation.facts import BAD_DATA, DESPITE_PAUSE, SILENT, STUCK
 from fleet_tui.situation.failures import failed_commands
@@ -50,6 +51,8 @@ BEHIND_FOR = 2.0
 """Seconds for which the console or a bridge must be behind: a map may take a moment."""
 CHARGES_WITHIN = 1800.0
 """Seconds at a charger after which a battery that is still low needs a person."""
+DEADLOCK_AFTER = 30.0
+"""Seconds for which two robots wait for each other: one may still give way."""
 STILL = 2.0
 """Seconds without a step after which a robot counts as standing."""
 
@@ -138,7 +141,7 @@ def stuck(state: FleetState, robot: Robot, active: ActiveConditions) -> Conditio
     known = state.is_fresh(robot, "pose")
     # An obstacle explains it only where that is an alarm: contact that comes and goes may never be one.
     explained = not known or is_blocked_for_long(state, robot)
-    explained = explained or silent_navigation(state, robot) is not None
+    explained = explained or silent_navigation(state, robot) is not None or robot.name in state.deadlocks
     if explained and not was_active(active, robot.name, robot.link, STUCK.name):
         return None
     cause, driven = cause_of_standing(state, robot), robot.order_text(order)
@@ -160,6 +163,12 @@ def stuck(state: FleetState, robot: Robot, active: ActiveConditions) -> Conditio
             driven=driven,
         )
     return Condition(robot.name, STUCK.name, Priority.MEDIUM, text, STUCK.over, due)
+
+
+def waits_mutually(state: FleetState, robot: Robot, _active: ActiveConditions) -> Condition | None:
+    """Raise for two robots that wait for each other for a while, for each of them."""
+    fact = deadlock(state, robot)
+    return None if fact is None else fact.condition(fact.since + DEADLOCK_AFTER)
 
 
 def bad_data(state: FleetState, source: Robot | LinkState, _active: ActiveConditions) -> Condition | None:
@@ -245,6 +254,7 @@ ROBOT_RULES = (
     *NAVIGATION_RULES,
     battery,
     pause,
+    waits_mutually,
     stuck,
     bad_data,
 )

@@ -19,12 +19,14 @@ from fleet_tui.orders.local_queue import waiting
 from fleet_tui.orders.newest import last_command
 from fleet_tui.situation.alarms.classes import CLASSES
 from fleet_tui.situation.causes import cause_of_end, remedy_of
+from fleet_tui.situation.deadlocks import deadlock
 from fleet_tui.situation.facts import STUCK
 from fleet_tui.situation.failures import failure_remedy
 from fleet_tui.situation.links import is_late, unsourced
 from fleet_tui.situation.navigation import silent_navigation
 from fleet_tui.situation.reported_motion import is_stuck, waits_for
 from fleet_tui.situation.robots import last_contact
+from fleet_tui.situation.traffic import in_the_way, next_stop, vertex_here
 from fleet_tui.situation.why.reason import (
     LOOK_AT,
     RECENT,
@@ -32,9 +34,9 @@ from fleet_tui.situation.why.reason import (
     Strength,
     mission,
     name_of,
+    reason_of,
     stationary_since,
 )
-from fleet_tui.situation.why.traffic import in_the_way, next_stop, vertex_here
 from fleet_tui.text.details import detail_text
 from fleet_tui.text.language import EMPTY, Message, joined
 from fleet_tui.text.units import age
@@ -156,27 +158,30 @@ def at_stop(state: FleetState, robot: Robot) -> Reason | None:
     )
 
 
+def waits_mutually(state: FleetState, robot: Robot) -> Reason | None:
+    """Report a robot that waits for this one while this one waits for it."""
+    fact = deadlock(state, robot)
+    return None if fact is None else reason_of(fact, Strength.LIKELY, fact.since)
+
+
 def waits_behind(state: FleetState, robot: Robot) -> Reason | None:
     """Report another robot on the next vertices and edges of its way: one without an order may be parked
     where there is room to pass."""
     found = in_the_way(state, robot)
-    if found is None:
+    if found is None or robot.name in state.deadlocks:  # else that is another reason
         return None
     other = found.robot
     stood, waited = (state.now - (stationary_since(one) or state.now) for one in (other, robot))
     if stood < waited * FAIR_SHARE:
         return None  # it has just come, and is not the cause
-    back = in_the_way(state, other)
     mark = mark_of(state, other)
-    mutual = Message("; each blocks the other") if back is not None and back.robot is robot else EMPTY
     return Reason(
         Message("waiting behind {name}", name=other.name),
         Message(
-            "{name} is {ahead} m ahead on the way to {name_of}{mutual}",
+            "{name} is {ahead} m ahead on the way to {name_of}",
             name=other.name,
             ahead=f"{found.ahead:.1f}",
             name_of=name_of(robot, found.vertex),
-            mutual=mutual,
         ),
         Strength.LIKELY if other.orders.current is not None else Strength.POSSIBLE,
         since=stationary_since(other),

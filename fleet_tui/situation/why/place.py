@@ -3,7 +3,7 @@
 import math
 
 from fleet_tui.model.robot import Robot, RobotMap
-from fleet_tui.situation.why.traffic import AT_VERTEX
+from fleet_tui.situation.traffic import AT_VERTEX
 from fleet_tui.text.language import EMPTY, Message
 
 

@@ -37,6 +37,7 @@ from fleet_tui.situation.why.orders import (
     stale_queue,
     unexplained,
     waits_behind,
+    waits_mutually,
 )
 from fleet_tui.situation.why.reason import Reason, Rule, Strength
 from fleet_tui.situation.why.robot import (
@@ -122,6 +123,7 @@ RULES: tuple[Rule, ...] = (
     failed_order,
     cargo,
     at_stop,
+    waits_mutually,
     waits_behind,
     charges,
     battery,

@@ -3,21 +3,23 @@
 import time
 from collections.abc import Callable
 from functools import partial
-from typing import NamedTuple
+from typing import NamedTuple, Protocol
 
 from msgspec.structs import replace
 
 from fleet_tui.commands.checks import SAME_WITHIN, acceptable, problems, repeated
 from fleet_tui.commands.rights import needed_for
 from fleet_tui.commands.subject import Subject, subject_of, what_changed
-from fleet_tui.model.commands import Command, PauseRobot
+from fleet_tui.model.commands import Command, PauseRobot, PlaceOrder
 from fleet_tui.model.events import Event
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.problem import Permissions, Problem, Right
 from fleet_tui.model.request import Request
 from fleet_tui.orders.local_queue import hold_all
+from fleet_tui.situation.battery.charging import has_low_battery
 from fleet_tui.state.store import Store
-from fleet_tui.text.language import EMPTY, Message, joined, verbatim
+from fleet_tui.text.errors import CommandError
+from fleet_tui.text.language import EMPTY, Message, joined, message_of, verbatim
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.ui.backend import Backend
 from fleet_tui.ui.controllers.files import READ_ONLY
@@ -26,8 +28,18 @@ from fleet_tui.ui.view.lines.questions import losses, question
 
 Prepare = Callable[[], Message]
 """Prepares a request that is about to be sent. Returns the reason not to send it, empty if there is none."""
-Ask = Callable[[Callable[[], Message], Callable[[], None]], None]
-"""Asks a question until it is empty, and calls the next step only after a yes."""
+
+
+class Ask(Protocol):
+    """Asks a question until it is empty, and calls the next step only after a yes, another one if the
+    operator rather charges the robot."""
+
+    def __call__(
+        self,
+        question: Callable[[], Message],
+        then: Callable[[], None],
+        charge: Callable[[], None] | None = None,
+    ) -> None: ...
 
 
 LINK_WITHIN = 1.0
@@ -86,8 +98,13 @@ class Dispatch:
     def objections(self, request: Request) -> list[Problem]:
         """Return what speaks against a request, errors first."""
         found = problems(self._store.state, request, self.permissions)
-        doubts = [Problem("doubtful", request.doubt, blocks=False)] if request.doubt else []
-        return [*repeated(request, self.given, time.monotonic()), *found, *doubts]
+        doubtful = [Problem("doubtful", request.doubt, blocks=False)] if request.doubt else []
+        is_order = any(isinstance(command, PlaceOrder) for command in request.commands)
+        if is_order and not any(problem.blocks for problem in found):
+            from fleet_tui.commands.routes.doubts import doubts  # numpy: not before the first picture
+
+            doubtful += doubts(self._store.state, request)
+        return [*repeated(request, self.given, time.monotonic()), *found, *doubtful]
 
     def objection(self, request: Request) -> Message:
         """Return the reason not to send a request, warnings aside; empty if it may be sent."""
@@ -148,10 +165,33 @@ class Dispatch:
         if asks or found or any(losses(self._store.state, request)):
             asked = subject_of(self._store.state, request)
             send = partial(self._send_after_all, request, asked, sent, prepare)
-            self._ask(partial(self._question, request, asked), send)
+            self._ask(partial(self._question, request, asked), send, self._charge_first(request, sent))
         elif problem := self._send(request, sent, prepare):
             self._notices.say(problem)
         return EMPTY
+
+    def _charge_first(self, request: Request, sent: Callable[[], None]) -> Callable[[], None] | None:
+        """Return what sends a robot with a low battery to a charger in place of a request, None for others,
+        and if it can reach none."""
+        names = {command.robot for command in request.commands if isinstance(command, PlaceOrder)}
+        if len(names) != 1:
+            return None
+        from fleet_tui.commands.routes.charging import order_to_charger, way_to_charger  # numpy, as above
+
+        state, robot = self._store.state, self._store.state.robots[names.pop()]
+        if not has_low_battery(state, robot) or not way_to_charger(state, robot):
+            return None
+        if request.commands[-1] == order_to_charger(state, robot).commands[0]:
+            return None
+
+        def charge() -> None:
+            state = self._store.state
+            try:
+                self.do(order_to_charger(state, state.robots[robot.name]), sent)
+            except CommandError as problem:
+                self._notices.say(sanitize(message_of(problem)))
+
+        return charge
 
     def _question(self, request: Request, asked: Subject) -> Message:
         """Return the question, empty once there is nothing to ask: the order to cancel may have ended, or may

@@ -1,4 +1,5 @@
-"""Asks once before something is lost or sent against a warning. Only `y` confirms."""
+"""Asks once before something is lost or sent against a warning. Only `y` confirms; `C`, where it is offered,
+charges the robot instead."""
 
 from collections.abc import Callable
 from typing import ClassVar
@@ -21,6 +22,7 @@ class Confirm(Dialog, can_focus=True):
 
     BINDINGS: ClassVar[list[BindingType]] = [
         ("y", "confirm", "Confirm"),
+        ("C", "charge", "Charge first"),
         ("n,escape,enter", "close", "Cancel"),
     ]
 
@@ -30,16 +32,24 @@ class Confirm(Dialog, can_focus=True):
         yield Static(id="question", markup=False)
         with Horizontal():
             yield MouseButton(tr("y  Yes"), id="yes", compact=True)
+            yield MouseButton(tr("C  Charge first"), id="charge", compact=True)
             yield MouseButton(tr("n  No (Enter)"), id="no", compact=True)
 
     def on_mount(self) -> None:
         """Update the question while it is open."""
         self._timer = self.set_interval(ASK_AGAIN_EVERY, self._put, pause=True)
 
-    def ask(self, question: Callable[[], Message], then: Callable[[], None]) -> None:
-        """Ask, and call `then` only after a yes."""
+    def ask(
+        self,
+        question: Callable[[], Message],
+        then: Callable[[], None],
+        charge: Callable[[], None] | None = None,
+    ) -> None:
+        """Ask, and call `then` only after a yes, or `charge`, where it is offered, after a C."""
         self._question = question
         self._then = then
+        self._charge = charge
+        self.query_one("#charge").display = charge is not None
         self.query_one("#question", Static).update(translate(question()))
         self._timer.resume()
         self.open(self)
@@ -54,13 +64,21 @@ class Confirm(Dialog, can_focus=True):
 
     @on(Button.Pressed, "#yes")
     def action_confirm(self) -> None:
+        self._answer(self._then)
+
+    @on(Button.Pressed, "#charge")
+    def action_charge(self) -> None:
+        if self._charge is not None:
+            self._answer(self._charge)
+
+    def _answer(self, act: Callable[[], None]) -> None:
         if not self.is_open:
             return
         # Closing restyles the screen; the command does not wait for that.
-        then = self._then
-        then()
+        asked = self._then
+        act()
         # It may have asked a further question.
-        if self._then is then:
+        if self._then is asked:
             self.action_close()
 
     @on(Button.Pressed, "#no")

@@ -76,6 +76,29 @@ def test_a_charger_that_another_robot_is_at_is_left_to_it() -> None:
         order_to_charger(beside(0.2, CHARGER))
 
 
+def with_lifts(*floors: str) -> FleetState:
+    """Two floors with a lift each, and a charger on these."""
+    graphs = []
+    for floor, lift, end in (("floor_0", "9", "91"), ("floor_1", "8", "81")):
+        role = Role.DOCKING if floor in floors else Role.PLAIN
+        vertices = {lift: Vertex(lift, 5.0, 0.0, Role.ELEVATOR), end: Vertex(end, 15.0, 0.0, role)}
+        graphs.append(GraphReceived(R0, floor, RouteGraph(vertices, (Edge("a", lift, end),))))
+    return reduced(fleet(1, 2), *graphs, pose(T0, 4.0))
+
+
+def test_a_charger_on_another_floor_is_reached_by_lift_where_none_is_nearer() -> None:
+    assert way_to_charger(with_lifts("floor_1"))[-1] == Place("81", "81", "floor_1")
+    assert way_to_charger(with_lifts("floor_0", "floor_1"))[-1] == Place("91", "91", "floor_0")
+    robot = with_lifts("floor_1").robots[R0]
+    stays = replace(robot, kind=replace(robot.kind, changes_floors=False))
+    assert charging.way_to_charger(with_lifts("floor_1"), stays) == ()
+
+
+def test_a_robot_some_metres_before_its_charger_is_not_at_it() -> None:
+    state = at(2.0, graph_of({"1": CHARGER, "2": Vertex("2", 5.0, 0.0)}))
+    assert way_to_charger(state) == (Place("2", "2", F0), Place("1", "1", F0))
+
+
 def test_the_order_leads_from_the_robot_to_the_charger() -> None:
     state = at(4.0, graph_of({"1": CHARGER, "2": Vertex("2", 5.0, 0.0)}))
     request = order_to_charger(state)

@@ -14,7 +14,6 @@ from fleet_tui.model.geometry import Pose
 from fleet_tui.model.graph import Edge, RouteGraph, Vertex
 from fleet_tui.model.kind import Kind
 from fleet_tui.model.order import Order, at_vertices
-from fleet_tui.simulator.robot import SimOrder
 from fleet_tui.situation.alarms.trouble import to_look_at
 from fleet_tui.situation.why.why import reasons
 from fleet_tui.ui.view.tables.news import news
@@ -31,16 +30,12 @@ from tests.support.fleets import (
     reduced,
     tick,
 )
-from tests.support.situations import BASE, CONSUMIDORES, behind_another, first
+from tests.support.situations import behind_another, first
 
 
-def test_two_robots_in_each_others_way_are_said_to_be() -> None:
-    planted = behind_another().run(2)
-    other = planted.world.robots["robot_1"]
-    other.cargo, other.orders = True, [SimOrder(9, CONSUMIDORES, BASE, status="W")]
-    found = first(planted.run(2))
+def test_a_robot_behind_another_one_is_told_how_far_that_is() -> None:
+    found = first(behind_another().run(4))
     assert found.evidence.startswith("robot_1 is 2.")
-    assert found.evidence.endswith("each blocks the other")
     assert found.keys == ("robot_1",)
 
 

@@ -6,11 +6,12 @@ from fleet_tui.config.schema import Alarms
 from fleet_tui.model.commands import CancelOrder, ClearOrders, PauseRobot
 from fleet_tui.model.events import BatteryReported, QueueReported
 from fleet_tui.model.order import OrderQueue
+from fleet_tui.situation.battery.charging import has_low_battery
 from fleet_tui.ui.screens.confirm import Confirm
 from fleet_tui.ui.screens.ordering.form import OrderForm
 from tests.support.console_trips import trips
-from tests.support.ordering import one_packet, place
-from tests.support.planted_console import SITE, planted
+from tests.support.ordering import one_packet, order, place
+from tests.support.planted_console import SITE, PlantedConsole, planted
 from tests.support.watched_store import config_of
 
 
@@ -79,6 +80,7 @@ async def test_a_warning_is_asked_and_only_y_sends() -> None:
         for answer in ("enter", "escape", "n"):
             await place(it)
             await it.shows("robot_0 is paused: send anyway?")
+            assert "Charge first" not in it.text
             await it.press(answer)
             await it.hides("send anyway?")
             await it.shows("To      Consumidores")
@@ -92,6 +94,47 @@ async def test_a_warning_is_asked_and_only_y_sends() -> None:
         await it.press("y")
         await it.until(lambda _: len(it.sent) == 2)
         assert not it.app.main.query_one(OrderForm).is_open
+
+
+async def _asked_about_its_battery(it: PlantedConsole) -> None:
+    it.fleet.world.robots["robot_0"].battery = 6.9
+    await it.until(lambda state: has_low_battery(state, state.robots["robot_0"]))
+    await place(it)
+    await it.shows("battery of robot_0: 6 %, for ")
+    await it.shows("C  Charge first")
+
+
+async def test_a_robot_with_a_nearly_flat_battery_is_charged_in_place_of_a_far_order() -> None:
+    async with planted() as it:
+        await _asked_about_its_battery(it)
+        await it.press("n")
+        assert it.sent == []
+        await it.press("enter", "C")
+        await it.until(lambda _: it.sent)
+        assert it.sent == [order(it, "Base", "Charger")]
+        assert not it.app.main.query_one(OrderForm).is_open
+
+
+async def test_a_robot_with_a_nearly_flat_battery_drives_a_far_order_after_a_yes() -> None:
+    async with planted() as it:
+        await _asked_about_its_battery(it)
+        await it.press("y")
+        await it.until(lambda _: trips(it) == ["Base -> Consumidores"])
+
+
+async def test_a_charge_is_offered_by_mouse_and_to_no_robot_with_a_full_battery() -> None:
+    async with planted() as it:
+        await _asked_about_its_battery(it)
+        await it.pilot.click("#charge")
+        await it.until(lambda state: state.robots["robot_0"].orders.open)
+        assert it.sent == [order(it, "Base", "Charger")]
+        it.fleet.world.robots["robot_0"].battery = 80.0
+        await it.until(lambda state: not has_low_battery(state, state.robots["robot_0"]))
+        await it.press("x")
+        await it.shows("Cancel order 1")
+        await it.hides("Charge first")
+        await it.press("C")
+        assert len(it.sent) == 1 and it.app.main.query_one(Confirm).is_open
 
 
 async def test_a_question_says_what_is_true_while_it_waits() -> None:

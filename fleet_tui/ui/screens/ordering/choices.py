@@ -4,6 +4,7 @@ import math
 from collections import Counter
 from collections.abc import Callable, Sequence
 
+from fleet_tui.commands.checks import robot_problems
 from fleet_tui.commands.language.any_robot import ANYONE, any_matches
 from fleet_tui.commands.language.favourites import Favourite, Given, favourites
 from fleet_tui.commands.language.lookup import HERE, Place, matches, places, recent_ends, starts_here
@@ -14,13 +15,15 @@ from fleet_tui.model.kind import GOAL, ORDER
 from fleet_tui.model.link import Phase
 from fleet_tui.model.problem import Problem
 from fleet_tui.model.robot import Robot
-from fleet_tui.situation.battery.charging import has_low_battery
+from fleet_tui.situation.battery.charging import charging_remedy, has_low_battery
 from fleet_tui.situation.reported_motion import STANDS_AFTER
 from fleet_tui.text.errors import did_you_mean
 from fleet_tui.text.language import EMPTY, Message, tr, translate
 from fleet_tui.text.sanitize import cell_width, sanitize
+from fleet_tui.ui.view.tables.news import failed_command, news
 from fleet_tui.ui.view.tables.table import column
 
+CHARGE = Message("charge")
 SHOWN = 30
 LONGEST = 24
 """Choices that are listed, and cells of the column of their names."""
@@ -38,32 +41,79 @@ def choices(
     typed: str,
     chosen: Place | None = None,
     given: Callable[[], Sequence[Given]] = tuple,
+    start: Place | None = None,
 ) -> Choices:
-    """Return the choices, best first; in `to` the robot's last destination leads, in `from` HERE, if the
-    robot can start there, and the favourites of the orders `given`, until something else is typed. Without a
-    robot they are those of any."""
+    """Return the choices, best first, until something is typed with the remedy of a low battery before all.
+    `given` are the orders to give again, `start` the place from which the order leads. Without a robot they
+    are those of any."""
     if field == "robot":
         return _robots(state, typed.strip().casefold())
     if field == "from" and robot is not None and ORDER not in robot.kind.accepts:
         return [HERE] if _may_be_here(robot, typed) else []
     if field == "from" and chosen == HERE and typed.strip() == HERE.name:
         typed = ""
-    if robot is None:
-        found = any_matches(state, typed)
-    else:
-        found = matches(robot, typed, recent_ends(state, robot) if field == "to" else ())
-        if not typed.strip() and not robot.kind.changes_floors:
-            found = [place for place in found if place.floor == robot.floor] or found
-    if field == "from" and not typed.strip():
-        here = [HERE] if robot is not None and starts_here(robot) else []
-        listed: list[Choice] = [*here, *favourites(found, given()), *found]
-        return listed[:SHOWN]
+    if not typed.strip():
+        return _untyped(state, robot, field, given, start)[:SHOWN]
+    recent = recent_ends(state, robot) if robot is not None and field == "to" else ()
+    found = matches(robot, typed, recent) if robot is not None else any_matches(state, typed)
     if field == "from" and robot is not None and _may_be_here(robot, typed):
         found = [*found, HERE]
     if chosen is None or sanitize(chosen.name) != typed:
         return found[:SHOWN]
     # Floors may share labels: Enter takes the chosen one again.
     return [chosen, *(place for place in found[:SHOWN] if place != chosen)]
+
+
+def _untyped(
+    state: FleetState,
+    robot: Robot | None,
+    field: str,
+    given: Callable[[], Sequence[Given]],
+    start: Place | None,
+) -> list[Choice]:
+    """Return the choices before anything is typed: a charger, if the battery is low; in `from` HERE, if the
+    robot can start there, and the orders to give again, in `to` the robot's last destinations; then the
+    others by their distance."""
+    if robot is None:
+        found = any_matches(state, "")
+        return [*favourites(found, given()), *found] if field == "from" else [*found]
+    found = _by_distance(state, robot, places(robot), start)
+    if not robot.kind.changes_floors:
+        found = [place for place in found if place.floor == robot.floor] or found
+    charge = charge_first(state, robot)
+    if field == "from":
+        here = [HERE] if starts_here(robot) else []
+        first = [Favourite(charge[0], charge[-1], CHARGE)] if charge and not here else []
+        return [*first, *here, *favourites(found, given()), *found]
+    recent = {vertex: rank for rank, vertex in enumerate(recent_ends(state, robot))}
+    found.sort(key=lambda place: recent.get(place.vertex, len(recent)))
+    found.sort(key=lambda place: place not in charge[-1:])
+    return [*found]
+
+
+def _by_distance(state: FleetState, robot: Robot, found: Sequence[Place], start: Place | None) -> list[Place]:
+    """Sort places of the floor of the start by their distance, before those of other floors."""
+    floor = start.floor if start is not None else robot.floor
+    return sorted(found, key=lambda place: (place.floor != floor, _metres(state, robot, place, start) or 0.0))
+
+
+def _metres(state: FleetState, robot: Robot, place: Place, start: Place | None) -> float | None:
+    """Return the metres to a place of the same floor in a straight line, from the robot only while it
+    stands."""
+    vertex, begin = _vertex(robot, place), _vertex(robot, start) if start is not None else None
+    if vertex is None or place.floor != (start.floor if start is not None else robot.floor):
+        return None
+    if start is not None:
+        return math.dist((vertex.x, vertex.y), (begin.x, begin.y)) if begin is not None else None
+    pose = robot.pose if state.is_fresh(robot, "pose") and robot.still_for >= STANDS_AFTER else None
+    return math.dist((vertex.x, vertex.y), (pose.value.x, pose.value.y)) if pose is not None else None
+
+
+def charge_first(state: FleetState, robot: Robot | None) -> tuple[Place, ...]:
+    """Return the way to a charger of a robot whose battery is low; empty if that rises, or without one."""
+    if robot is None or not has_low_battery(state, robot) or charging_remedy(state, robot):
+        return ()
+    return way_to_charger(state, robot)
 
 
 def _may_be_here(robot: Robot, typed: str) -> bool:
@@ -137,16 +187,22 @@ def hindrance(state: FleetState, robot: Robot | None) -> Message:
     return without_places(robot)
 
 
+def condition(state: FleetState, robot: Robot | None) -> str:
+    """Return what is not as usual with a robot, in the words of its row and its alarm, empty for nothing."""
+    if robot is None:
+        return ""
+    texts = [text for text, _ in (*failed_command(state, robot), *news(state, robot))]
+    if robot.battery is not None and has_low_battery(state, robot):
+        texts.insert(0, tr("battery {percent} %", percent=int(robot.battery.value)))
+    return ", ".join(texts)
+
+
 def warnings(state: FleetState, robot: Robot | None, found: Sequence[Problem]) -> str:
-    """Return what speaks against an order now, its problems `found` and a low battery, empty for nothing."""
-    texts = [translate(sanitize(problem.text)) for problem in found]
-    if robot is not None and robot.battery is not None and has_low_battery(state, robot):
-        texts.append(
-            tr("battery of {name}: {percent} %", name=robot.name, percent=f"{robot.battery.value:.0f}")
-        )
-        if way_to_charger(state, robot):
-            texts.append(tr("charge it first"))
-    return "; ".join(texts)
+    """Return what speaks against an order now, of its problems `found` those that its robot's condition does
+    not tell; empty for nothing."""
+    told = robot_problems(state, robot) if robot is not None else []
+    texts = (problem.text for problem in found if problem.blocks or problem not in told)
+    return "; ".join(translate(sanitize(text)) for text in texts)
 
 
 def scope(robot: Robot | None, typed: str, found: Choices) -> str:
@@ -178,8 +234,10 @@ def lines(
         for one in named
     }
     cells = column(names.values(), at_most=LONGEST) + 2
+    charger = () if typed.strip() else charge_first(state, robot)[-1:]
+    is_first = charger == (*found[:1],)  # elsewhere it is a place as any other
     return [
-        _in_column(names[one], cells, _about(state, robot, one, start))
+        _in_column(names[one], cells, _about(state, robot, one, start, is_remedy=is_first and one in charger))
         if isinstance(one, Place)
         else line(one)
         for one in found
@@ -200,28 +258,29 @@ def _vertex(robot: Robot, place: Place) -> Vertex | None:
     return graph.vertices.get(place.vertex) if graph is not None else None
 
 
-def _about(state: FleetState, robot: Robot | None, place: Place, start: Place | None) -> str:
+def _about(
+    state: FleetState, robot: Robot | None, place: Place, start: Place | None, *, is_remedy: bool
+) -> str:
     """Return the kind of a place, its floor if it is on another one than the start or the robot, else the
-    metres to it in a straight line, from the robot only while it stands."""
+    metres to it in a straight line."""
     if place == HERE:
         carries = robot is not None and robot.kind.brings_cargo
         return tr("with the cargo on board") if carries else tr("where the robot is")
     if robot is None:
         return sanitize(place.floor) if len(state.floors) > 1 else ""
-    vertex, begin = _vertex(robot, place), _vertex(robot, start) if start is not None else None
+    vertex = _vertex(robot, place)
     role = ROLES.get(vertex.role, EMPTY) if vertex is not None else EMPTY
-    parts = [translate(role)] if role and role not in place.name.casefold() else []
+    parts = [translate(CHARGE)] if is_remedy else []
+    parts += [translate(role)] if role and role not in place.name.casefold() else []
     if vertex is not None and vertex.role is Role.DOCKING and robot.features and robot.features.charges:
         parts.append(tr("charges there"))
-    pose = robot.pose if state.is_fresh(robot, "pose") and robot.still_for >= STANDS_AFTER else None
+    metres = _metres(state, robot, place, start)
     if place.floor != (start.floor if start is not None else robot.floor):
         parts.append(sanitize(place.floor))
-    elif start is not None:
-        if vertex is not None and begin is not None and place != start:
-            metres, named = math.dist((vertex.x, vertex.y), (begin.x, begin.y)), sanitize(start.name)
-            parts.append(tr("{metres} m from {named}", metres=f"{metres:.0f}", named=named))
-    elif vertex is not None and pose is not None:
-        metres = math.dist((vertex.x, vertex.y), (pose.value.x, pose.value.y))
+    elif start is not None and metres is not None:
+        if place != start:
+            parts.append(tr("{metres} m from {named}", metres=f"{metres:.0f}", named=sanitize(start.name)))
+    elif metres is not None:
         parts.append(tr("{metres} m away", metres=f"{metres:.0f}"))
     return ", ".join(parts)
 

@@ -27,7 +27,9 @@ from fleet_tui.ui.screens.ordering.choices import (
     Choice,
     Choices,
     changed,
+    charge_first,
     choices,
+    condition,
     hindrance,
     is_in_label,
     lines,
@@ -70,14 +72,18 @@ class ChoiceList(Matches[Choice]):
     def list_for(self, robot: Robot | None, keep: bool = False) -> bool:
         """List the choices, the first one marked if something is typed; to `keep` the mark returns False if
         its choice is gone."""
-        typed, fields = self._fields.typed, self._fields
-        start = fields.chosen.get("from") if fields.current == "to" else None
-        found = self._choices(robot)
-        texts = lines(self._state(), robot, typed, found, start if start != HERE else None)
+        typed, found = self._fields.typed, self._choices(robot)
+        texts = lines(self._state(), robot, typed, found, self._start)
         if keep:
             return self.renew(found, texts)
         self.show(found, texts, mark=0 if typed else None)
         return True
+
+    @property
+    def _start(self) -> Place | None:
+        """Return the place that distances are from, None for that of the robot."""
+        start = self._fields.chosen.get("from") if self._fields.current == "to" else None
+        return start if start != HERE else None
 
     def scope(self, robot: Robot | None) -> str:
         """Return which places are listed before anything is typed."""
@@ -93,7 +99,13 @@ class ChoiceList(Matches[Choice]):
         if field != "robot" and self._is_for_nobody(robot):
             return []
         return choices(
-            self._state(), robot, field, fields[field].typed, fields.chosen.get(field), self._given
+            self._state(),
+            robot,
+            field,
+            fields[field].typed,
+            fields.chosen.get(field),
+            self._given,
+            self._start,
         )
 
     def draft(self, robot: Robot | None) -> Draft:
@@ -119,7 +131,10 @@ def picture_of(state: FleetState, robot: Robot | None) -> Picture:
     maps = tuple(
         part for one in robots for known in one.maps.values() for part in (known.graph, known.labels)
     )
-    values = () if robot is None else (robot.name, robot.floor, starts_here(robot), robot.kind)
+    values: tuple[object, ...] = ()
+    if robot is not None:
+        is_to_charge = charge_first(state, robot) != ()
+        values = (robot.name, robot.floor, starts_here(robot), robot.kind, is_to_charge)
     return (*values, len(maps)), maps
 
 
@@ -170,8 +185,9 @@ class OrderForm(ReturningOverlay):
         self._sending = OrderSending(state, self._fields, give, give_anyone)
 
     def compose(self) -> ComposeResult:
-        """Compose three fields, the matches of the current one, and a note on missing input."""
-        yield from (self._fields, self._choices, self._proposal, self.route)
+        """Compose three fields, the robot's condition, the matches of a field, and a note."""
+        yield from (self._fields, Static(id="condition", markup=False))
+        yield from (self._choices, self._proposal, self.route)
         yield from (Static(id="missing", markup=False), self._send)
 
     def draft(self) -> Draft | None:
@@ -252,9 +268,11 @@ class OrderForm(ReturningOverlay):
             or unknown
             or warnings(state, robot, found)
         )
-        note = self.query_one("#missing", Static)
-        if text != note.content:  # an update lays out the whole screen
-            note.update(text)
+        for id_, told in (("#condition", condition(state, robot)), ("#missing", text)):
+            note = self.query_one(id_, Static)
+            if told != note.content:  # an update lays out the whole screen
+                note.update(told)
+                note.display = bool(told) or id_ == "#missing"
 
     @property
     def _is_last(self) -> bool:

@@ -4,7 +4,7 @@ The picture is the selected robot's: its map, graph and labels. The others are p
 own map_metadata.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from functools import lru_cache
 
@@ -206,6 +206,23 @@ def _robots(state: FleetState, selection: Selection, picture: MapFrame, tied: bo
     )
 
 
+def _deadlocked(
+    state: FleetState, robots: Iterable[SceneRobot], floor: str, picture: MapFrame, tied: bool
+) -> tuple[Line, ...]:
+    """Return the next edges of robots with an alarm that wait for each other."""
+    waiting = [
+        one.name for one in robots if one.name in state.deadlocks and (one.alarmed or one.acknowledged)
+    ]
+    lines = []
+    for name in waiting:
+        robot_map = None if tied else state.robots[name].maps.get(floor)
+        frame = robot_map.frame if robot_map is not None else None
+        for x, y, to_x, to_y in state.deadlocks[name].way:
+            ends = [_placed(Pose(*end), frame, picture)[0] for end in ((x, y), (to_x, to_y))]
+            lines.append((ends[0].x, ends[0].y, ends[1].x, ends[1].y))
+    return tuple(lines)
+
+
 def _elsewhere(state: FleetState, selection: Selection) -> str:
     """Return the selected robot's place, if not here."""
     robot = state.robots[selection.robot]
@@ -242,7 +259,8 @@ def floor_scene(state: FleetState, selection: Selection, drafted: Drafted | None
         note for note in (_elsewhere(state, selection), scene.note, translate(floor.graph_problem)) if note
     ]
     vertices_of_way, way = way_of(selected, floor.name, drafted)
-    placed = _robots(state, selection, scene.frame, floor.grid is not None and floor.tied)
+    is_tied = floor.grid is not None and floor.tied
+    placed = _robots(state, selection, scene.frame, is_tied)
     return replace(
         scene,
         area=worth_seeing(scene, placed),
@@ -252,6 +270,7 @@ def floor_scene(state: FleetState, selection: Selection, drafted: Drafted | None
         mission=way,
         closed=edge_lines(robot_map, _closed(state, owner, floor.name)),
         blocked=edge_lines(robot_map, blocked_edges(state, placed)),
+        deadlocked=_deadlocked(state, placed, floor.name, scene.frame, is_tied),
         note=", ".join(notes),
         elsewhere=translate(trouble_elsewhere(state, floor.name)),
         waits=state.now - state.links[selected.link].since < PATIENCE

@@ -72,15 +72,29 @@ def draw_closed(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) ->
     _mark(cells, scene, camera, scene.closed, "X" if look.plain else "✕")
 
 
+def draw_deadlocks(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
+    """Draw the next edges of robots that wait for each other, dashed: that is what their poses tell."""
+    if not scene.deadlocked:
+        return
+    mask = blank_mask(camera)
+    trace(mask, *ends_of(scene, camera, scene.deadlocked), dashed=True)
+    _alarm(cells, pack(mask), look)
+
+
 def draw_blocked(cells: Cells, scene: Scene, camera: Camera, look: MapOptions) -> None:
     """Draw the edges on which a robot is in the way, over the mission, each with a sign in its middle."""
     if not scene.blocked:
         return
     _, bits = _thick(scene, camera, scene.blocked)
+    _alarm(cells, bits, look)
+    _mark(cells, scene, camera, scene.blocked, "!")
+
+
+def _alarm(cells: Cells, bits: NDArray[np.uint8], look: MapOptions) -> None:
+    """Draw dots over open ground and the mission."""
     drawn = (bits > 0) & (_OPEN | _KEPT)[cells.roles]
     cells.codes[drawn] = ord("x") if look.plain else BRAILLE[bits[drawn]]
     cells.roles[drawn] = StyleRole.ALARM
-    _mark(cells, scene, camera, scene.blocked, "!")
 
 
 def _mark(cells: Cells, scene: Scene, camera: Camera, edges: tuple[Line, ...], sign: str) -> None:

@@ -10,7 +10,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Line
 from fleet_tui.model.order import Order, vertices_of
 from fleet_tui.model.robot import Robot, RobotMap
-from fleet_tui.situation.why.traffic import stops_left
+from fleet_tui.situation.traffic import stops_left
 from fleet_tui.ui.view.map.scene import Mission, SceneRobot
 
 ORDERS_SHOWN = 8

@@ -78,8 +78,9 @@ class Scene:
     in words; area: left, top, right, bottom in map pixels of the ground that is worth seeing, None for all;
     beams: ends of the selected robot's laser beams, in metres from the robot, seen from `beams_at`; path: its
     planned path; closed: the edges that people closed; blocked: those on which a robot with an alarm is in
-    the way; picked: the id of the vertex marked in an order being typed; one_way: the edges that lead only
-    from start to end; trail: past positions of robots, rows of x, y in metres and the age in seconds.
+    the way; deadlocked: the next edges of robots that wait for each other; picked: the id of the vertex
+    marked in an order being typed; one_way: the edges that lead only from start to end; trail: past positions
+    of robots, rows of x, y in metres and the age in seconds.
 
     Keep `grid`, `vertices` and `edges` the same objects while they are unchanged: the picture below the
     robots is redrawn when one of them is another object."""
@@ -106,6 +107,7 @@ class Scene:
     path: Points | None = None
     closed: tuple[Line, ...] = ()
     blocked: tuple[Line, ...] = ()
+    deadlocked: tuple[Line, ...] = ()
 
     def with_note(self, note: str) -> "Scene":
         """Return the scene with a note that is no problem."""

@@ -12,8 +12,8 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.robot import Robot
 from fleet_tui.situation.alarms.classes import action_of
 from fleet_tui.situation.alarms.facilities import listed
+from fleet_tui.situation.traffic import stops_left
 from fleet_tui.situation.why.complaints import Complaint
-from fleet_tui.situation.why.traffic import stops_left
 from fleet_tui.text.language import Message, tr, translate
 from fleet_tui.text.sanitize import sanitize
 from fleet_tui.text.units import age

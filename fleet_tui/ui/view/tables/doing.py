@@ -90,6 +90,7 @@ def state_texts(state: FleetState, robot: Robot, does: Activity | None, cells: i
     is_grave = any(role is StyleRole.ALARM for _, role in texts)
     is_said = does in (None, Activity.OFFLINE, Activity.PAUSED, *(*CALM, Activity.BLOCKED) * is_grave)
     is_said = is_said or (does is Activity.DRIVING and (state.is_paused(robot) or _drives_on(texts)))
+    is_said = is_said or (does is Activity.WAITING and robot.name in state.deadlocks)
     is_said = is_said or any(text.startswith((word(does), translate(OBSTRUCTED))) for text, _ in texts)
     both = [*texts, doing]
     return texts if is_said or width_of(listed(both)) > cells else both

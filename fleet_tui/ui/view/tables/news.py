@@ -9,6 +9,7 @@ from fleet_tui.model.robot import Reading, Robot
 from fleet_tui.orders.newest import own_pause
 from fleet_tui.situation.alarms.members import issue_text
 from fleet_tui.situation.alarms.trouble import AGING, in_trouble, shelved, unexplained_end
+from fleet_tui.situation.deadlocks import deadlock
 from fleet_tui.situation.fact import Fact
 from fleet_tui.situation.facts import BAD_DATA, FAULT, INACTIVE, MISPLACED, SILENT
 from fleet_tui.situation.localisation import uncertain
@@ -99,6 +100,9 @@ def news(state: FleetState, robot: Robot) -> Iterator[Run]:
         yield _absent(state, robot, unheard)
     if (fact := obstacle(state, robot)) is not None:
         yield translate(fact.text), StyleRole.WARN if robot.name in shelved(state) else StyleRole.ALARM
+    if (wait := deadlock(state, robot)) is not None:
+        is_alarm = robot.name in in_trouble(state)
+        yield translate(wait.text), StyleRole.ALARM if is_alarm else StyleRole.WARN
     yield from _navigation(state, robot)
     yield from _vehicle(state, robot)
     yield from _member(state, robot)

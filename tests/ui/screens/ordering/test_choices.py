@@ -4,14 +4,19 @@ import msgspec
 from msgspec.structs import replace
 from textual.widgets import Input
 
+from fleet_tui.commands.checks import robot_problems
+from fleet_tui.commands.language.favourites import Favourite
 from fleet_tui.commands.language.lookup import Place
-from fleet_tui.model.events import GraphReceived
+from fleet_tui.model.events import Event, GraphReceived, ObstacleReported, PausedReported
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.graph import Role, RouteGraph, Vertex
 from fleet_tui.model.kind import ORDER, Kind
+from fleet_tui.model.problem import Problem
 from fleet_tui.model.vehicles.vehicle import VehicleFeatures
-from fleet_tui.ui.screens.ordering.choices import choices, lines, scope, warnings
+from fleet_tui.text.language import Message
+from fleet_tui.ui.screens.ordering.choices import charge_first, choices, condition, lines, scope, warnings
 from fleet_tui.ui.screens.ordering.form import OrderForm
+from fleet_tui.ui.view.tables.news import news
 from tests.support.fleets import (
     F0,
     R0,
@@ -23,6 +28,7 @@ from tests.support.fleets import (
     link_up,
     of_kinds,
     pose,
+    queue,
     reduced,
     tick,
 )
@@ -167,9 +173,40 @@ def test_a_charger_at_which_an_order_makes_a_vehicle_charge_says_so() -> None:
     assert lines(state, charges, "", [dock]) == ["Dock 9  charger, charges there, floor_0"]
 
 
-def test_a_low_battery_is_said_before_an_order_with_the_remedy_where_there_is_one() -> None:
-    state = reduced(fleet(), pose(T0, 4.0), battery(T0, 12.0))
-    assert warnings(state, state.robots[R0], []) == "battery of robot_0: 12 %"
-    vertices = {"9": Vertex("9", 1.0, 1.0, Role.DOCKING), "8": Vertex("8", 4.0, 0.0)}
-    state = reduced(state, GraphReceived(R0, F0, RouteGraph(vertices)))
-    assert warnings(state, state.robots[R0], []) == "battery of robot_0: 12 %; charge it first"
+def low(*more: Event, kind: Kind | None = None) -> FleetState:
+    """A robot 1 m from the Dock, nearly flat."""
+    return reduced(site(kind), battery(T0, 8.9), *more, tick(T0 + 1))
+
+
+def test_a_low_battery_is_told_in_the_words_of_its_alarm_and_a_charger_leads_the_places() -> None:
+    state = low()
+    assert condition(state, state.robots[R0]) == "battery 8 %" == state.alarms[0].text
+    assert shown(state, "")[0] == "Dock (2)  charge, charger, 1 m away"
+    robot = state.robots[R0]
+    first, *_ = choices(state, robot, "from", "")
+    assert isinstance(first, Favourite) and lines(state, robot, "", [first]) == ["Base -> Dock  (charge)"]
+    assert shown(state, "Ba") == ["Base  0 m away"], "who types wants something else"
+
+
+def test_a_robot_that_charges_or_drives_there_is_sent_to_no_charger() -> None:
+    for state in (low(pose(T0 + 0.5, 1.0)), low(queue(T0, (1, 1, 2, "W"), current=1))):
+        assert charge_first(state, state.robots[R0]) == ()
+        assert not any("charge," in line for line in shown(state, ""))
+
+
+def test_the_condition_is_what_the_row_tells_and_the_note_repeats_none_of_it() -> None:
+    state = reduced(site(), PausedReported(R0, T0, True), ObstacleReported(R0, T0, 14.0), tick(T0))
+    robot = state.robots[R0]
+    row = [text for text, _ in news(state, robot)]
+    assert condition(state, robot) == ", ".join(row) == "obstacle 14 s, paused (elsewhere)"
+    own = Problem("no path", Message("no path there"))
+    assert warnings(state, robot, [own, *robot_problems(state, robot)]) == "no path there"
+    well = site()
+    assert condition(well, well.robots[R0]) == ""
+
+
+def test_places_are_listed_by_distance_after_the_last_destinations() -> None:
+    state = reduced(site(), pose(T0 - 3, 1.9), pose(T0, 1.9), tick(T0))
+    assert [one.split()[0] for one in shown(state, "")] == ["Lift", "Dock", "Base", "Dock", "Kitchen"]
+    again = reduced(state, queue(T0, (1, 1, 1, "W")))
+    assert shown(again, "")[0].startswith("Base")

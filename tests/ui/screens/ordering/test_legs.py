@@ -88,10 +88,12 @@ async def test_a_place_that_got_another_id_while_the_form_is_open_must_be_chosen
 async def test_notices_of_the_form_are_those_of_now() -> None:
     async with planted() as it:
         await it.press("o")
-        it.fleet.world.robots["robot_0"].battery = 5.0
-        await it.shows("battery of robot_0: 5 %", "missing")
+        it.fleet.world.robots["robot_0"].battery = 5.9
+        await it.shows("battery 5 %", "condition")
+        await it.shows("Base -> Charger  (charge)", "matches")
         it.fleet.world.robots["robot_0"].paused = True
-        await it.shows("robot_0 is paused", "missing")
+        await it.shows("battery 5 %, paused (elsewhere)", "condition")
         it.fleet.world.robots["robot_0"].paused = False
         it.fleet.world.robots["robot_0"].battery = 80.0
-        await it.hides("robot_0", "missing")
+        await it.hides("battery 5 %", "order-form")
+        await it.hides("(charge)", "order-form")

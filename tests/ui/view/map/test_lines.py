@@ -248,3 +248,11 @@ def test_the_sign_of_a_closed_or_blocked_edge_is_in_no_label() -> None:
     vertex = SceneVertex("1", 9.6, 5.0, label="Elevator")
     for scene in (replace(SCENE, blocked=ACROSS), replace(SCENE, closed=ACROSS)):
         assert "Elevator" in drawn(replace(scene, vertices=(vertex,))).text()
+
+
+@pytest.mark.parametrize("drawing", [Drawing.BRAILLE, Drawing.ASCII])
+def test_the_ways_of_robots_that_wait_for_each_other_are_dashed_and_red(drawing: Drawing) -> None:
+    way, look = ((2.0, 5.0, 18.0, 5.0),), MapOptions(drawing)
+    whole = drawn(replace(SCENE, blocked=way), look).roles == StyleRole.ALARM
+    dashes = drawn(replace(SCENE, deadlocked=way), look).roles == StyleRole.ALARM
+    assert 0 < dashes.sum() <= whole.sum() and not (dashes & ~whole).any()

@@ -1,10 +1,12 @@
 """The next way of a robot, and the robots on it."""
 
 import math
+from functools import lru_cache
 from itertools import pairwise
 
 from msgspec import Struct
 
+from fleet_tui.model.by_identity import Same
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.graph import Role, RouteGraph
@@ -85,20 +87,27 @@ def way_ahead(robot: Robot) -> tuple[str, ...]:
     if graph is None or robot.pose is None or stop is None or start is None:
         return ()
     lifts = [vertex.id for vertex in graph.vertices.values() if vertex.role is Role.ELEVATOR]
-    ways = [graph.path(start, goal) for goal in ([stop] if stop in graph.vertices else lifts)]
+    ways = [_path(Same(graph), start, goal) for goal in ([stop] if stop in graph.vertices else lifts)]
     way = min(filter(None, ways), key=len, default=())
     if len(way) > 1 and _distance(graph, way[1], robot.pose.value) <= _length(graph, *way[:2]):
         return way[1:]
     return way
 
 
-def in_the_way(state: FleetState, robot: Robot) -> InTheWay | None:
-    """Return the nearest robot on the next vertices and edges of its way, in the same frame."""
+def points_ahead(robot: Robot) -> list[Point]:
+    """Return where a robot is, and the next vertices of its way; empty without a way."""
     graph, pose = graph_here(robot), robot.pose
     way = way_ahead(robot)[:VERTICES_AHEAD]
     if graph is None or pose is None or not way:
+        return []
+    return [(pose.value.x, pose.value.y), *((graph.vertices[id_].x, graph.vertices[id_].y) for id_ in way)]
+
+
+def in_the_way(state: FleetState, robot: Robot) -> InTheWay | None:
+    """Return the nearest robot on the next vertices and edges of its way, in the same frame."""
+    way, points = way_ahead(robot)[:VERTICES_AHEAD], points_ahead(robot)
+    if not points:
         return None
-    points = [(pose.value.x, pose.value.y), *((graph.vertices[id_].x, graph.vertices[id_].y) for id_ in way)]
     # Who plans its own way waits for no edge, and who is parked drives on none.
     waits_for_edge = not robot.kind.keeps_goals and vertex_here(robot) is not None
     found = list[InTheWay]()
@@ -132,6 +141,12 @@ def _along(points: list[Point], at: Point) -> tuple[float, int] | None:
                 return before + reached * length, part
         before += length
     return None
+
+
+@lru_cache(maxsize=512)
+def _path(graph: Same[RouteGraph], start: str, goal: str) -> tuple[str, ...]:
+    """Search a path once: robots that stand ask for theirs each second."""
+    return graph.value.path(start, goal)
 
 
 def _nearest(graph: RouteGraph, pose: Pose) -> str | None:
