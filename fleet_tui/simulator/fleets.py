@@ -6,8 +6,8 @@ from typing import Any, Protocol
 from fleet_tui.simulator.frames import Payload
 from fleet_tui.simulator.messages import Body, Message, Topic
 from fleet_tui.simulator.ros.dialect import Dialect
+from fleet_tui.simulator.ros.filling import ServiceType
 from fleet_tui.simulator.ros.goals import ActionServer, ServedGoal
-from fleet_tui.simulator.ros_types import ServiceType
 
 Line = tuple[int, str, str]
 """A line of the log: level in ROS 1's numbers, node and text."""

@@ -11,8 +11,8 @@ from fleet_tui.simulator.frames import Payload, to_json
 from fleet_tui.simulator.messages import Topic
 from fleet_tui.simulator.ros.definitions import SERVICES
 from fleet_tui.simulator.ros.dialect import Dialect
-from fleet_tui.simulator.ros.filling import fill
-from fleet_tui.simulator.ros_types import ServiceError, ServiceType
+from fleet_tui.simulator.ros.errors import ServiceError
+from fleet_tui.simulator.ros.filling import ServiceType, fill, fill_request
 from fleet_tui.simulator.sessions.client import Client
 from fleet_tui.simulator.sessions.operations import Operation
 
@@ -137,10 +137,8 @@ class Guests:
     def forward(self, service: str, call: "Call") -> None:
         """Bring a call to the client that offers the service. Raises ServiceError."""
         offer = self._offers[service]
-        type_ = self._services[service]
-        args = call.operation.get("args")
-        request = fill(
-            self._dialect, self._dialect.part(type_.name, "Request"), type_.fields, args, time.time()
+        request = fill_request(
+            self._dialect, self._services[service], call.operation.get("args"), time.time()
         )
         id_ = f"service_request:{service}:{next(offer.number)}"
         offer.waiting[id_] = call

@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from fleet_tui.simulator.frames import Payload
 from fleet_tui.simulator.messages import Topic
-from fleet_tui.simulator.ros.dialect import Dialect
-from fleet_tui.simulator.ros.ros1 import ROS1
+from fleet_tui.simulator.ros.dialect import ROS1, Dialect
 
 if TYPE_CHECKING:
     from fleet_tui.simulator.fleets import Fleet, Line

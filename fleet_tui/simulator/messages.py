@@ -12,9 +12,8 @@ from fleet_tui.simulator.floorplan import HEIGHT, ORIGIN, RESOLUTION, WIDTH, Cel
 from fleet_tui.simulator.frames import Payload
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.robot import SimRobot
-from fleet_tui.simulator.ros.dialect import Dialect
+from fleet_tui.simulator.ros.dialect import ROS1, Dialect
 from fleet_tui.simulator.ros.encoding import encode
-from fleet_tui.simulator.ros.ros1 import ROS1
 from fleet_tui.simulator.senses.wheels import Wheels
 from fleet_tui.simulator.warehouse import SimFloor
 

@@ -8,9 +8,9 @@ from typing import Any
 from fleet_tui.simulator.ros.definitions import ACTIONS, MESSAGES
 from fleet_tui.simulator.ros.definitions import SERVICES as DEFINED_SERVICES
 from fleet_tui.simulator.ros.dialect import Dialect
-from fleet_tui.simulator.ros.filling import fill
+from fleet_tui.simulator.ros.errors import NodeDiedError
+from fleet_tui.simulator.ros.filling import ServiceType, fill_request, service_type
 from fleet_tui.simulator.ros.typedefs import action_typedefs, message_typedefs, service_typedefs
-from fleet_tui.simulator.ros_types import NodeDiedError, ServiceType, service_type
 
 FLEET = "/fleet"
 BRIDGE = "/rosbridge_websocket"
@@ -67,9 +67,7 @@ class RosapiServer:
 
     def answer(self, service: str, args: object) -> Values:
         """The answer of one of its services. Raises ServiceError as every service does."""
-        type_ = self.services[service]
-        name = self._dialect.part(type_.name, "Request")
-        request = fill(self._dialect, name, type_.fields, args, self._clock())
+        request = fill_request(self._dialect, self.services[service], args, self._clock())
         verb = service.removeprefix(f"{ROSAPI}/")
         if verb.endswith(("_param", "_param_names")):
             return self._about_params(verb, request)

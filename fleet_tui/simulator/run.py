@@ -11,7 +11,7 @@ from fleet_tui.signals import stop, stopped_by_signal
 from fleet_tui.simulator.faults import parse_faults_of
 from fleet_tui.simulator.fleets import Fleet
 from fleet_tui.simulator.kinds import KINDS, play
-from fleet_tui.simulator.ros.ros1 import ROS1
+from fleet_tui.simulator.ros.dialect import ROS1
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.simulator.site import SitedBridge, faults_of, site_of

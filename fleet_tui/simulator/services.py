@@ -13,8 +13,8 @@ from fleet_tui.simulator.frames import Frame
 from fleet_tui.simulator.guests import Guests
 from fleet_tui.simulator.messages import Body, Topic
 from fleet_tui.simulator.ros.dialect import Dialect
-from fleet_tui.simulator.ros.filling import fill
-from fleet_tui.simulator.ros_types import HandlerError, NodeDiedError, ServiceError
+from fleet_tui.simulator.ros.errors import HandlerError, NodeDiedError, ServiceError
+from fleet_tui.simulator.ros.filling import fill_request
 from fleet_tui.simulator.rosapi import HIDDEN, RosapiServer, RosGraph
 from fleet_tui.simulator.sessions.client import Client
 from fleet_tui.simulator.sessions.operations import Operation
@@ -141,9 +141,7 @@ class ServiceDesk:
         package = type_.name.partition("/")[0]
         if package in self.unsourced:
             raise ServiceError(self.dialect.unknown_package(package, "srv"))
-        request = fill(
-            self.dialect, self.dialect.part(type_.name, "Request"), type_.fields, args, time.time()
-        )
+        request = fill_request(self.dialect, type_, args, time.time())
         return self.fleet_of(service.split("/")[1]).answer(service, request)
 
     def _reply(self, call: Call, service: str) -> None:

@@ -13,7 +13,7 @@ import numpy as np
 
 from fleet_tui.simulator.frames import Compression, OutgoingFrame, Payload
 from fleet_tui.simulator.oh_ressources.world import World
-from fleet_tui.simulator.ros.ros1 import ROS1
+from fleet_tui.simulator.ros.dialect import ROS1
 from fleet_tui.simulator.server import RosbridgeServer
 
 SIDE = 4000

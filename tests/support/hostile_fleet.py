@@ -12,7 +12,7 @@ from typing import Any
 from fleet_tui.simulator.frames import Payload
 from fleet_tui.simulator.messages import Topic
 from fleet_tui.simulator.oh_ressources.world import World
-from fleet_tui.simulator.ros_types import ServiceError
+from fleet_tui.simulator.ros.errors import ServiceError
 from fleet_tui.simulator.server import RosbridgeServer
 
 CLIPBOARD = "\x1b]52;c;aGFja2Vk\x07"

@@ -7,7 +7,7 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from fleet_tui.simulator.ros_types import HandlerError, NodeDiedError
+from fleet_tui.simulator.ros.errors import HandlerError, NodeDiedError
 
 if TYPE_CHECKING:
     # The command line lists the faults: it must not wait for the server to be imported.

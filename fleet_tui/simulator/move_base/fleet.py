@@ -19,8 +19,8 @@ from fleet_tui.simulator.navigating.topics import body_topics, plan_topic, topic
 from fleet_tui.simulator.navigating.world import NavigatingWorld
 from fleet_tui.simulator.ros.actionlib import GoalReport
 from fleet_tui.simulator.ros.dialect import Dialect
+from fleet_tui.simulator.ros.filling import ServiceType, service_type
 from fleet_tui.simulator.ros.goals import ActionServer, ServedGoal
-from fleet_tui.simulator.ros_types import ServiceType, service_type
 
 Message = dict[str, Any]
 

@@ -24,6 +24,7 @@ from fleet_tui.simulator.navigating.set_up import FileServices, SetUpDesk, by_ha
 from fleet_tui.simulator.navigating.topics import body_topics, plan_topic, topic_maker
 from fleet_tui.simulator.navigating.world import NavigatingWorld
 from fleet_tui.simulator.ros.dialect import Dialect
+from fleet_tui.simulator.ros.filling import ServiceType, service_type
 from fleet_tui.simulator.ros.goals import (
     ABORTED,
     CANCELED,
@@ -33,7 +34,6 @@ from fleet_tui.simulator.ros.goals import (
     ServedGoal,
     uuid_of,
 )
-from fleet_tui.simulator.ros_types import ServiceType, service_type
 
 Message = dict[str, Any]
 

@@ -12,7 +12,7 @@ from fleet_tui.simulator.navigating.robot import NavigatingRobot
 from fleet_tui.simulator.navigating.topics import grid_of, map_topic, map_topics
 from fleet_tui.simulator.navigating.world import NavigatingWorld
 from fleet_tui.simulator.ros.dialect import Dialect
-from fleet_tui.simulator.ros_types import ServiceType, service_type
+from fleet_tui.simulator.ros.filling import ServiceType, service_type
 from fleet_tui.simulator.senses.mapping import Surveys
 from fleet_tui.simulator.senses.wheels import twists
 

@@ -17,8 +17,8 @@ from fleet_tui.simulator.messages import Message, Topic, graph_of, headers_of, l
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.robot import EMPTY, LOW, SimRobot
 from fleet_tui.simulator.ros.dialect import Dialect
+from fleet_tui.simulator.ros.filling import ServiceType, service_type
 from fleet_tui.simulator.ros.goals import ActionServer, ServedGoal
-from fleet_tui.simulator.ros_types import ServiceType, robot_services, service_type
 from fleet_tui.simulator.senses.camera import camera_topic
 from fleet_tui.simulator.senses.laser import scan_topic
 from fleet_tui.simulator.senses.mapping import Surveys
@@ -26,6 +26,14 @@ from fleet_tui.simulator.senses.wheels import twists
 from fleet_tui.simulator.warehouse import SimFloor
 
 DESK = "Application_layout"
+ORDER_SERVICES = {
+    "Execute_order": "OH_ressources/Execute_manual_order",
+    "Execute_order_with_cargo": "OH_ressources/Execute_manual_order_with_cargo",
+    "Cancel_order": "OH_ressources/Cancel_order",
+    "Clear_orders": "OH_ressources/Clear_orders",
+    "Pause": "std_srvs/Trigger",
+    "Resume": "std_srvs/Trigger",
+}
 MAPPING = "set_mapping"
 SAVE = "save_map"
 
@@ -82,12 +90,10 @@ class OhFleet:
 
     def services(self, dialect: Dialect) -> Mapping[str, ServiceType]:
         """The services of every robot."""
-        types = robot_services(dialect).items()
-        switch = service_type(dialect, "std_srvs/SetBool")
-        offered = {f"/{robot}/{DESK}/{verb}": type_ for robot in self.robots for verb, type_ in types}
-        save = service_type(dialect, "slam_toolbox_msgs/SaveMap")
-        own = {MAPPING: switch, SAVE: save}
-        return offered | {f"/{robot}/{part}": type_ for robot in self.robots for part, type_ in own.items()}
+        parts = {f"{DESK}/{verb}": name for verb, name in ORDER_SERVICES.items()}
+        parts |= {MAPPING: "std_srvs/SetBool", SAVE: "slam_toolbox_msgs/SaveMap"}
+        types = {part: service_type(dialect, name) for part, name in parts.items()}
+        return {f"/{robot}/{part}": type_ for robot in self.robots for part, type_ in types.items()}
 
     def answer(self, service: str, args: Mapping[str, Any]) -> Message:
         """The world's answer, or that of the switch of mapping, or of a map that is saved."""

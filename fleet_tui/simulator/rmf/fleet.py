@@ -23,8 +23,8 @@ from fleet_tui.simulator.rmf.naming import FLEETS
 from fleet_tui.simulator.rmf.tasks import SimTask
 from fleet_tui.simulator.robot import STEP, robot_numbers
 from fleet_tui.simulator.ros.dialect import Dialect
+from fleet_tui.simulator.ros.filling import ServiceType
 from fleet_tui.simulator.ros.goals import ActionServer, ServedGoal
-from fleet_tui.simulator.ros_types import ServiceType
 from fleet_tui.simulator.warehouse import Building, SimFloor, build_building
 
 Message = dict[str, Any]

@@ -8,9 +8,8 @@ import pytest
 from fleet_tui.model.geometry import Pose
 from fleet_tui.simulator.navigating import messages
 from fleet_tui.simulator.ros.definitions import MESSAGES
-from fleet_tui.simulator.ros.dialect import Dialect
+from fleet_tui.simulator.ros.dialect import ROS1, Dialect
 from fleet_tui.simulator.ros.encoding import encode
-from fleet_tui.simulator.ros.ros1 import ROS1
 from fleet_tui.simulator.ros.ros2 import ROS2
 from tests.support.navigating import FLOOR, robot
 

@@ -4,7 +4,7 @@ from fleet_tui.model.geometry import Pose
 from fleet_tui.simulator.frames import Payload
 from fleet_tui.simulator.move_base.navigation import MoveBaseWorld, SimMoveBase
 from fleet_tui.simulator.navigating.news import News
-from fleet_tui.simulator.ros.ros1 import ROS1
+from fleet_tui.simulator.ros.dialect import ROS1
 
 PLACE = "/robot_0/amcl_pose"
 

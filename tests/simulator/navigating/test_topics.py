@@ -1,7 +1,7 @@
 """Topics of robots that navigate: one map or one for each floor, and what is said only at times."""
 
 from fleet_tui.simulator.navigating.topics import body_topics, map_topics, plan_topic
-from fleet_tui.simulator.ros.ros1 import ROS1
+from fleet_tui.simulator.ros.dialect import ROS1
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.senses.camera import NAME
 from fleet_tui.simulator.senses.mapping import Surveys

@@ -8,7 +8,7 @@ import pytest
 
 from fleet_tui.simulator.oh_ressources.fleet import OhFleet
 from fleet_tui.simulator.oh_ressources.world import World
-from fleet_tui.simulator.ros.ros1 import ROS1
+from fleet_tui.simulator.ros.dialect import ROS1
 
 GRAPH, LABELS = "graph", "labeled_vertices"
 

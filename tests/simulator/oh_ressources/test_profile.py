@@ -3,7 +3,7 @@
 from fleet_tui.simulator.oh_ressources.fleet import OhFleet
 from fleet_tui.simulator.oh_ressources.profile import profile
 from fleet_tui.simulator.oh_ressources.world import World
-from fleet_tui.simulator.ros.ros1 import ROS1
+from fleet_tui.simulator.ros.dialect import ROS1
 
 
 def test_every_topic_of_the_profile_is_one_of_theirs() -> None:

@@ -8,7 +8,7 @@ import numpy as np
 
 from fleet_tui.model.geometry import Pose
 from fleet_tui.simulator.floorplan import RESOLUTION
-from fleet_tui.simulator.ros.ros1 import ROS1
+from fleet_tui.simulator.ros.dialect import ROS1
 from fleet_tui.simulator.senses.laser import BEAMS, RANGE, ends, ranges, scan, scan_topic
 from fleet_tui.simulator.senses.mount import MOUNT
 from tests.support.navigating import FLOOR, robot

@@ -15,8 +15,7 @@ from fleet_tui.model.geometry import Pose
 from fleet_tui.model.set_up.frames import Mount, Transform
 from fleet_tui.model.set_up.streams import Beams, LaserScan, beams_of
 from fleet_tui.simulator.oh_ressources.world import World
-from fleet_tui.simulator.ros.dialect import Dialect
-from fleet_tui.simulator.ros.ros1 import ROS1
+from fleet_tui.simulator.ros.dialect import ROS1, Dialect
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.senses.laser import BEAMS, RANGE, ranges
 from fleet_tui.simulator.senses.mount import MOUNT
