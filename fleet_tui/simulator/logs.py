@@ -12,7 +12,7 @@ from fleet_tui.simulator.ros.dialect import ROS1, Dialect
 
 if TYPE_CHECKING:
     from fleet_tui.simulator.fleets import Fleet, Line
-    from fleet_tui.simulator.messages import Body
+    from fleet_tui.simulator.world import Body
 
 Message = dict[str, Any]
 

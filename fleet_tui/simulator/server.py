@@ -18,7 +18,7 @@ from fleet_tui.simulator.messages import Topic
 from fleet_tui.simulator.oh_ressources.fleet import OhFleet
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.ros.dialect import ROS1, Dialect
-from fleet_tui.simulator.senses.mount import frames_topic
+from fleet_tui.simulator.senses.laser import frames_topic
 from fleet_tui.simulator.sessions.session import Session
 from fleet_tui.simulator.topics import TopicDesk
 from fleet_tui.text.errors import FleetError

@@ -11,13 +11,14 @@ from fleet_tui.simulator.channels import resolve
 from fleet_tui.simulator.fleets import Fleet
 from fleet_tui.simulator.frames import Frame
 from fleet_tui.simulator.guests import Guests
-from fleet_tui.simulator.messages import Body, Topic
+from fleet_tui.simulator.messages import Topic
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.ros.errors import HandlerError, NodeDiedError, ServiceError
 from fleet_tui.simulator.ros.filling import fill_request
 from fleet_tui.simulator.rosapi import HIDDEN, RosapiServer, RosGraph
 from fleet_tui.simulator.sessions.client import Client
 from fleet_tui.simulator.sessions.operations import Operation
+from fleet_tui.simulator.world import Body
 
 WAITING = 1000  # messages that wait for an overloaded bridge; those after them are lost
 REMEMBERED = 10_000  # calls and operations kept for tests

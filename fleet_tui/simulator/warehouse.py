@@ -51,6 +51,10 @@ class SimFloor:
         """The id of the first vertex of this wire type. Raises StopIteration if there is none."""
         return next(id_ for id_, other in self.types.items() if other == type_)
 
+    @property
+    def charger(self) -> SimVertex:
+        return self.graph.vertices[self.vertex_of("charger")]
+
     def has(self, type_: str) -> bool:
         """Tell whether a vertex has this wire type: a drawn graph may have none."""
         return type_ in self.types.values()

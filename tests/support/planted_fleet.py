@@ -18,7 +18,7 @@ from fleet_tui.robots.adapter import ServiceCall
 from fleet_tui.robots.profile import Profile
 from fleet_tui.simulator.faults import parse_faults
 from fleet_tui.simulator.kinds import play
-from fleet_tui.simulator.messages import topics_of
+from fleet_tui.simulator.oh_ressources.messages import topics_of
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.state.store import Store

@@ -1,17 +1,14 @@
 """The action servers of one robot: accept goals and drive the robot. Pure."""
 
 import random
-from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Any
 
 from fleet_tui.model.geometry import Pose
 from fleet_tui.simulator.logs import ERROR, WARN
-from fleet_tui.simulator.navigating.poses import FRAME, flat, stamped
+from fleet_tui.simulator.messages import FRAME, Message, flat, stamped
 from fleet_tui.simulator.navigating.robot import NavigatingRobot
+from fleet_tui.simulator.navigating.world import Clock
 from fleet_tui.simulator.ros.goals import ABORTED, CANCELED, CANCELING, SUCCEEDED, ActionServer, ServedGoal
-
-Message = dict[str, Any]
 
 TO_POSE = "navigate_to_pose"
 THROUGH = "navigate_through_poses"
@@ -52,9 +49,9 @@ class _Tour:
 class SimNavigation:
     """Its attributes are for tests to read and change. `clock`: nanoseconds since 1970."""
 
-    def __init__(self, robot: NavigatingRobot, rng: random.Random, clock: Callable[[], int]) -> None:
+    def __init__(self, robot: NavigatingRobot, ids: random.Random, clock: Clock) -> None:
         self.robot = robot
-        self._rng = rng
+        self._ids = ids
         self._clock = clock
         begins = {TO_POSE: self._begin, THROUGH: self._begin, WAYPOINTS: self._tour, DOCK: self._dock}
         begins[SPIN] = self._spin
@@ -75,7 +72,6 @@ class SimNavigation:
         self.publishes = True
         """False: no feedback is sent."""
         self.distro = "jazzy"
-        """Goals whose results have been sent."""
         self._current: ServedGoal | None = None
         self._tours: dict[str, _Tour] = {}
 
@@ -86,6 +82,20 @@ class SimNavigation:
     def take(self, verb: str, request: Message) -> ServedGoal | None:
         """Send any goal with complete fields under a new id; None if it is rejected."""
         return self.servers[verb].take(self.new_id(), self._clock(), request)
+
+    def employ(self, rng: random.Random) -> None:
+        """Send it to a labelled vertex, every third time by way of another, as another client would."""
+        floor = self.robot.floor
+        spots = [floor.graph.vertices[id_] for id_ in rng.sample(tuple(floor.labels), 2)]
+        poses = [stamped(Pose(spot.x, spot.y, rng.uniform(-3.0, 3.0))) for spot in spots]
+        if rng.random() < 0.3:
+            self.take(WAYPOINTS, {"number_of_loops": 0, "goal_index": 0, "poses": poses})
+        else:
+            self.take(TO_POSE, {"pose": poses[0], "behavior_tree": ""})
+
+    def recharge(self) -> None:
+        """Let it dock, as another client would."""
+        self.take(DOCK, {"use_dock_id": True, "dock_id": "charger"})
 
     @property
     def busy(self) -> bool:
@@ -99,7 +109,7 @@ class SimNavigation:
 
     def new_id(self) -> bytes:
         """An id for a goal."""
-        return self._rng.randbytes(16)
+        return self._ids.randbytes(16)
 
     def abort(self, code: int = 105, message: str = "Failed to make progress") -> None:
         """Abort the current drive."""
@@ -177,8 +187,7 @@ class SimNavigation:
         self._replace(WAYPOINTS, _Tour(goal, goal.request["poses"]))
 
     def _dock(self, goal: ServedGoal) -> None:
-        floor = self.robot.floor
-        dock = floor.graph.vertices[floor.vertex_of("charger")]
+        dock = self.robot.floor.charger
         self._replace(DOCK, _Tour(goal, [stamped(Pose(dock.x, dock.y))]))
 
     def _spin(self, goal: ServedGoal) -> None:

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from fleet_tui.simulator.navigating.poses import FRAME
+from fleet_tui.simulator.messages import FRAME
 from fleet_tui.simulator.warehouse import SimFloor, build_building
 from fleet_tui.text.errors import FleetError
 from fleet_tui.text.language import Message

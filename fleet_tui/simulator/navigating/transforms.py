@@ -1,19 +1,17 @@
 """Robots of which only transforms tell the place, as with slam_toolbox: no localisation has a topic."""
 
 import time
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from fleet_tui.model.geometry import Pose
 from fleet_tui.simulator.frames import Payload
-from fleet_tui.simulator.messages import Topic
-from fleet_tui.simulator.navigating.poses import FRAME, solid
-from fleet_tui.simulator.senses.mount import TYPE
+from fleet_tui.simulator.messages import FRAME, Topic, solid
+from fleet_tui.simulator.senses.laser import TRANSFORMS
 
 if TYPE_CHECKING:
     from fleet_tui.simulator.navigating.robot import NavigatingRobot
     from fleet_tui.simulator.server import RosbridgeServer
 
-Message = dict[str, Any]
 LOCALISED_HZ = 20.0
 COUNTED_HZ = 50.0
 """Transforms a second of the localisation and of the wheels: two publishers of one topic."""
@@ -26,7 +24,7 @@ def publish(server: "RosbridgeServer", robot: "NavigatingRobot", topic: str, pre
     `prefix` is before the names of its own frames."""
     bridge, nothing = server.bridge, Payload({"transforms": []})
     bridge.withdraw(f"/{robot.name}/amcl_pose")
-    bridge.advertise(Topic(topic, bridge.dialect.message_type(TYPE), lambda _now: nothing))
+    bridge.advertise(Topic(topic, bridge.dialect.message_type(TRANSFORMS), lambda _now: nothing))
     age = localised = counted = 0.0
 
     def send(parent: str, child: str, pose: Pose, ahead: float = 0.0) -> None:

@@ -7,18 +7,16 @@ from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any
 
-from fleet_tui.model.geometry import Pose, yaw_of_quaternion
-from fleet_tui.simulator.fleets import Line
-from fleet_tui.simulator.floorplan import Cells
+from fleet_tui.simulator.fleets import Fleet, Line, Subscriptions
 from fleet_tui.simulator.frames import Payload
 from fleet_tui.simulator.graph import SimEdge, SimGraph, SimVertex
 from fleet_tui.simulator.logs import BROKEN, DEBUG, DOUBTFUL, ERROR, HEALTHY, INFO, WARN, entry
-from fleet_tui.simulator.messages import Message, Topic, graph_of, headers_of, labels_of, map_of, topics_of
+from fleet_tui.simulator.messages import Message, Topic, flat
+from fleet_tui.simulator.oh_ressources.messages import graph_of, labels_of, map_of, topics_of
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.robot import EMPTY, LOW, SimRobot
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.ros.filling import ServiceType, service_type
-from fleet_tui.simulator.ros.goals import ActionServer, ServedGoal
 from fleet_tui.simulator.senses.camera import camera_topic
 from fleet_tui.simulator.senses.laser import scan_topic
 from fleet_tui.simulator.senses.mapping import Surveys
@@ -42,28 +40,19 @@ GRAPH_SAVE = "graph_save"
 LABELS_SAVE = "labels_save"
 
 
-def _cells_of(robot: SimRobot) -> Callable[[], Cells]:
-    return lambda: robot.floor.cells
-
-
-class OhFleet:
-    """The robots of a World on the wire. They have no actions."""
+class OhFleet(Fleet):
+    """The robots of a World on the wire."""
 
     kind = "oh_ressources"
 
     def __init__(self, world: World) -> None:
         self.world = world
+        self.robots: Mapping[str, SimRobot] = world.robots
         self.troubles = world.troubles
-        self.actions: Mapping[str, ActionServer] = {}
         self._graphs = SentGraphs(world)
         self._changes = Changes(world.robots)
         self._surveys = Surveys(world.robots, self._map_topics)
         self.troubles.append(self._surveys.step)
-
-    @property
-    def robots(self) -> Mapping[str, SimRobot]:
-        """The world's robots."""
-        return self.world.robots
 
     def step(self, dt: float) -> None:
         """Advance the time by dt seconds."""
@@ -74,13 +63,13 @@ class OhFleet:
         yield from topics_of(self.world, loaded_at, dialect, self._surveys.cells)
         yield from self._surveys.topics(dialect)
         for robot in self.robots.values():
-            yield scan_topic(robot, _cells_of(robot), headers_of(robot, dialect), dialect)
-            yield camera_topic(robot, _cells_of(robot), headers_of(robot, dialect, "camera"), dialect)
+            yield scan_topic(robot, dialect)
+            yield camera_topic(robot, dialect)
 
     def _map_topics(self, floor: SimFloor) -> list[str]:
         return [f"/{robot}/{floor.name}/map" for robot in self.robots]
 
-    def subscriptions(self) -> Mapping[str, tuple[str, Callable[[Message], None]]]:
+    def subscriptions(self) -> Subscriptions:
         """The topics of each robot for its pose, a goal beside its orders, twists, and a graph."""
         return {
             f"/{name}/{topic}": (type_, partial(take, robot))
@@ -90,10 +79,14 @@ class OhFleet:
 
     def services(self, dialect: Dialect) -> Mapping[str, ServiceType]:
         """The services of every robot."""
-        parts = {f"{DESK}/{verb}": name for verb, name in ORDER_SERVICES.items()}
-        parts |= {MAPPING: "std_srvs/SetBool", SAVE: "slam_toolbox_msgs/SaveMap"}
-        types = {part: service_type(dialect, name) for part, name in parts.items()}
-        return {f"/{robot}/{part}": type_ for robot in self.robots for part, type_ in types.items()}
+        orders = {f"{DESK}/{verb}": name for verb, name in ORDER_SERVICES.items()}
+        set_up = {MAPPING: "std_srvs/SetBool", SAVE: "slam_toolbox_msgs/SaveMap"}
+        return {
+            f"/{robot}/{part}": service_type(dialect, name)
+            for parts in (orders, set_up)
+            for robot in self.robots
+            for part, name in parts.items()
+        }
 
     def answer(self, service: str, args: Mapping[str, Any]) -> Message:
         """The world's answer, or that of the switch of mapping, or of a map that is saved."""
@@ -103,12 +96,6 @@ class OhFleet:
             self._surveys.switch(service.split("/")[1], on=args["data"])
             return {"success": True, "message": ""}
         return self.world.answer(service, args)
-
-    def feedback(self, server: ActionServer, goal: ServedGoal, dialect: Dialect) -> Message | None:
-        """Nothing."""
-
-    def result(self, server: ActionServer, goal: ServedGoal) -> Message | None:
-        """Nothing."""
 
     def news(self, dialect: Dialect) -> Iterable[tuple[str, Payload]]:
         """Return modes, graphs and live maps that changed: all other topics are published continuously."""
@@ -132,7 +119,7 @@ class SentGraphs:
         self._world = world
         self._redrawn: set[str] = set()
 
-    def subscriptions(self) -> Mapping[str, tuple[str, Callable[[Message], None]]]:
+    def subscriptions(self) -> Subscriptions:
         """The topics of each robot and floor on which a graph and its labels are sent."""
         taken = {
             GRAPH_SAVE: ("OH_ressources/Graph", self._take_graph),
@@ -280,27 +267,18 @@ def health(robot: SimRobot) -> Iterator[Message]:
 def _take_pose(robot: SimRobot, message: Message) -> None:
     """Take a pose on its floor; one in a foreign frame is dropped silently."""
     if message["header"]["frame_id"].lstrip("/") == robot.floor.name:
-        robot.belief.place(_flat(message["pose"]["pose"]), robot.pose)
+        robot.belief.place(flat(message["pose"]["pose"]), robot.pose)
 
 
 def _take_goal(robot: SimRobot, message: Message) -> None:
     if message["header"]["frame_id"].lstrip("/") == robot.floor.name:
-        robot.visit(_flat(message["pose"]))
+        robot.visit(flat(message["pose"]))
 
 
 def _cancel_goal(robot: SimRobot, message: Message) -> None:
     """Stop; the only id known here is the empty one, for every goal."""
     if not message["id"]:
         robot.visit(None)
-
-
-def _flat(pose: Message) -> Pose:
-    turn, at = pose["orientation"], pose["position"]
-    try:
-        yaw = yaw_of_quaternion(turn["x"], turn["y"], turn["z"], turn["w"])
-    except ValueError:
-        yaw = 0.0
-    return Pose(at["x"], at["y"], yaw)
 
 
 SUBSCRIPTIONS: Mapping[str, tuple[str, Callable[[SimRobot, Message], None]]] = {

@@ -7,7 +7,7 @@ import pytest
 from fleet_tui.simulator.faults import FAULTS, parse_faults
 from fleet_tui.simulator.faults.world import FLAT, FOREIGN, FOREIGN_PAUSE, JUMP
 from fleet_tui.simulator.kinds import play
-from fleet_tui.simulator.messages import topics_of
+from fleet_tui.simulator.oh_ressources.messages import topics_of
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.text.errors import ConfigError

@@ -17,8 +17,7 @@ from fleet_tui.model.set_up.streams import Beams, LaserScan, beams_of
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.ros.dialect import ROS1, Dialect
 from fleet_tui.simulator.ros.ros2 import ROS2
-from fleet_tui.simulator.senses.laser import BEAMS, RANGE, ranges
-from fleet_tui.simulator.senses.mount import MOUNT
+from fleet_tui.simulator.senses.laser import BEAMS, MOUNT, RANGE, ranges
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.state.streams import Streams
 from fleet_tui.text.limits import MOST_FRAMES
