@@ -4,7 +4,8 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Protocol
 
-from fleet_tui.simulator.faults import FAULTS, Faults
+from fleet_tui.simulator.faults import FAULTS
+from fleet_tui.simulator.faults.plays import Faults
 from fleet_tui.simulator.move_base.faults import FAULTS as MOVE_BASE_FAULTS
 from fleet_tui.simulator.nav2.faults import FAULTS as NAV2_FAULTS
 from fleet_tui.simulator.navigating.profile import profile as navigating

@@ -4,11 +4,22 @@ import time
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from fleet_tui.simulator.faults import Faults, camera, hand, wire
+from fleet_tui.simulator.faults import camera, hand
+from fleet_tui.simulator.faults.plays import (
+    FLAT,
+    Faults,
+    Play,
+    battery,
+    each_step,
+    having,
+    obstacle,
+    robot_of,
+)
 from fleet_tui.simulator.senses.belief import DRIFT
 
 if TYPE_CHECKING:
     # The command line lists the faults: it must not wait for the server to be imported.
+    from fleet_tui.simulator.navigating.robot import NavigatingRobot
     from fleet_tui.simulator.navigating.world import Navigating
     from fleet_tui.simulator.server import RosbridgeServer
 
@@ -18,7 +29,6 @@ else:
 
 AWHILE = 3.0  # seconds after which something happens to a drive
 EVERY = 20.0  # seconds between two goals of another client
-FLAT = 8.0  # per cent above which `battery` never charges
 
 
 def navigation_of(server: "RosbridgeServer", robot: str) -> Any:
@@ -29,24 +39,19 @@ def navigation_of(server: "RosbridgeServer", robot: str) -> Any:
     return fleet.navigation[robot]
 
 
-def at_once(change: Callable[[N], None]) -> wire.Play:
-    """A fault that is there from the start."""
-    return lambda server, robot: change(navigation_of(server, robot))
-
-
-def often(change: Callable[[N, float], float], idle: bool = False) -> wire.Play:
+def often(change: Callable[[N, float], float], idle: bool = False) -> Play:
     """Return a recurring fault: `change` receives the seconds since the goal began, or if `idle` since the
     fault last occurred, and returns the seconds to count on from."""
 
     def play(server: "RosbridgeServer", robot: str) -> None:
         navigation, age = navigation_of(server, robot), 0.0
 
-        def step(dt: float) -> None:
+        def step(passed: float) -> None:
             nonlocal age
             busy = idle or navigation.busy
-            age = change(navigation, age + dt / server.speed if busy else 0.0)
+            age = change(navigation, age + passed if busy else 0.0)
 
-        server.bridge.services.fleet_of(robot).troubles.append(step)
+        each_step(server, robot, step)
 
     return play
 
@@ -67,43 +72,14 @@ def _foreign_cancel(navigation: "Navigating", age: float) -> float:
     return 0.0
 
 
-def _no_odom(navigation: "Navigating") -> None:
-    navigation.robot.odometry = False
+def _lost(server: "RosbridgeServer", robot: str) -> None:
+    robot_of(server, robot).lose()
 
 
-def _lost(navigation: "Navigating") -> None:
-    navigation.robot.lose()
-
-
-def _mislocalised(navigation: "Navigating") -> None:
+def _mislocalised(server: "RosbridgeServer", robot: str) -> None:
     """Let it believe to be elsewhere: the published pose follows at once."""
-    robot = navigation.robot
-    robot.place(robot.pose.after(DRIFT))
-
-
-def _obstacle(navigation: "Navigating") -> None:
-    navigation.robot.block()
-
-
-def _stuck(navigation: "Navigating") -> None:
-    navigation.robot.stuck = True
-
-
-def _silent(navigation: "Navigating") -> None:
-    navigation.robot.silence = float("inf")
-
-
-def _battery(navigation: "Navigating", age: float) -> float:
-    navigation.robot.battery = min(navigation.robot.battery, FLAT)
-    return age
-
-
-def _unmeasured(navigation: "Navigating") -> None:
-    navigation.robot.percent = float("nan")
-
-
-def _percent(navigation: "Navigating") -> None:
-    navigation.robot.percent = 1.0
+    body: NavigatingRobot = robot_of(server, robot)
+    body.place(body.pose.after(DRIFT))
 
 
 def unlocalised(server: "RosbridgeServer", robot: str) -> None:
@@ -146,17 +122,17 @@ BODY: Faults = {
         f"its localisation dies {AWHILE:g} s after the first goal, its wheels count on",
         unlocalised,
     ),
-    "stuck": ("wheels blocked: recoveries, then an abort", at_once(_stuck)),
+    "stuck": ("wheels blocked: recoveries, then an abort", having(robot_of, stuck=True)),
     "foreign-goal": (f"another client sends a goal every {EVERY:g} s", often(_foreign_goal, idle=True)),
     "foreign-cancel": (f"another client cancels every goal after {AWHILE:g} s", often(_foreign_cancel)),
-    "no-odom": ("no odometry", at_once(_no_odom)),
-    "lost": ("localisation uncertain and wrong", at_once(_lost)),
-    "mislocalised": ("believes to be 4 m away and turned, until its pose is set", at_once(_mislocalised)),
-    "obstacle": ("stops at a permanent obstacle", at_once(_obstacle)),
-    "battery": (f"battery never above {FLAT:g} %", often(_battery, idle=True)),
-    "unmeasured": ("battery percentage NaN", at_once(_unmeasured)),
-    "percent": ("battery percentage 0 to 100 instead of 0 to 1", at_once(_percent)),
-    "silent": ("sends nothing", at_once(_silent)),
+    "no-odom": ("no odometry", having(robot_of, odometry=False)),
+    "lost": ("localisation uncertain and wrong", _lost),
+    "mislocalised": ("believes to be 4 m away and turned, until its pose is set", _mislocalised),
+    "obstacle": ("stops at a permanent obstacle", obstacle),
+    "battery": (f"battery never above {FLAT:g} %", battery),
+    "unmeasured": ("battery percentage NaN", having(robot_of, percent=float("nan"))),
+    "percent": ("battery percentage 0 to 100 instead of 0 to 1", having(robot_of, percent=1.0)),
+    "silent": ("sends nothing", having(robot_of, silence=float("inf"))),
     **hand.FAULTS,
     **camera.FAULTS,
 }

@@ -14,7 +14,8 @@ import paho.mqtt.client as mqtt
 from paho.mqtt.enums import CallbackAPIVersion
 
 from fleet_tui.signals import stopped_by_signal
-from fleet_tui.simulator.faults import Faults, parse_faults_of
+from fleet_tui.simulator.faults import parse_faults_of
+from fleet_tui.simulator.faults.plays import Faults
 from fleet_tui.simulator.run import await_stdin
 from fleet_tui.simulator.vda5050.broker import broker, free_port, has_broker
 from fleet_tui.simulator.vda5050.faults import FAULTS

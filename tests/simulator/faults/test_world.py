@@ -5,7 +5,8 @@ import json
 import pytest
 
 from fleet_tui.simulator.faults import FAULTS, parse_faults
-from fleet_tui.simulator.faults.world import FLAT, FOREIGN, FOREIGN_PAUSE, JUMP
+from fleet_tui.simulator.faults.plays import FLAT
+from fleet_tui.simulator.faults.world import FOREIGN, FOREIGN_PAUSE, JUMP
 from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.oh_ressources.messages import topics_of
 from fleet_tui.simulator.oh_ressources.world import World
