@@ -61,7 +61,6 @@ class Guests:
         return name in self._advertised or name in self._offers
 
     def offers(self, service: str) -> bool:
-        """Tell whether a client offers the service."""
         return service in self._offers
 
     def advertise(self, client: Client, name: str, type_: str, latched: bool) -> None:
@@ -88,7 +87,6 @@ class Guests:
             self._advertised[name].add(client)
 
     def unadvertise(self, client: Client, name: str) -> None:
-        """Undo `advertise`."""
         name = resolve(name)
         self._since.pop((client, name), None)
         clients = self._advertised.get(name, set())
@@ -129,7 +127,6 @@ class Guests:
         raise ServiceError(self._dialect.unknown_package(type_.partition("/")[0], "srv"))
 
     def withdraw(self, client: Client, name: str) -> None:
-        """Undo `offer`."""
         offer = self._offers.get(resolve(name))
         if offer is not None and offer.client is client:
             del self._offers[resolve(name)], self._services[resolve(name)]

@@ -2,7 +2,7 @@
 
 import time
 from collections import deque
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from itertools import count
 from typing import TYPE_CHECKING, Any
 
@@ -11,7 +11,7 @@ from fleet_tui.simulator.messages import Topic
 from fleet_tui.simulator.ros.dialect import ROS1, Dialect
 
 if TYPE_CHECKING:
-    from fleet_tui.simulator.fleets import Fleet, Line
+    from fleet_tui.simulator.fleets import Fleet
     from fleet_tui.simulator.world import Body
 
 Message = dict[str, Any]
@@ -38,10 +38,6 @@ class Talk:
         self._dialect = dialect
         self._kept: deque[tuple[float, Message]] = deque(maxlen=KEPT)
         self._said = count(1)
-
-    def tell(self, lines: "Iterable[Line]", now: float) -> list[Message]:
-        """The lines as messages of /rosout."""
-        return [self.say(now, *line) for line in lines]
 
     def say(self, now: float, level: int, node: str, text: str) -> Message:
         """A line as a message of /rosout."""

@@ -63,7 +63,6 @@ class RobotBody:
         """Seconds until the next random obstacle."""
 
     def block(self) -> None:
-        """Put an obstacle before it that stays."""
         self.obstacle = STEP
         self._obstacle_for = math.inf
 
@@ -165,7 +164,6 @@ class SimRobot(RobotBody):
         return len(gone)
 
     def step(self) -> None:
-        """Advance by STEP seconds."""
         self.silence = max(0.0, self.silence - STEP)
         self._use_battery()
         held = self.paused or (self.stuck and self.current_order_id != -1)

@@ -104,7 +104,6 @@ class RosbridgeServer:
         self.bridge.started = time.monotonic()
 
     async def stop(self) -> None:
-        """Close every connection and stop the world."""
         if self._life is not None:
             self._life.cancel()
             with suppress(asyncio.CancelledError):
@@ -136,7 +135,6 @@ class RosbridgeServer:
         await asyncio.gather(*(connection.wait_closed() for connection in connections))
 
     def abort_clients(self) -> None:
-        """Abort every connection without waiting."""
         for session in self._sessions:
             session.connection.transport.abort()
 
@@ -172,8 +170,8 @@ class RosbridgeServer:
 
     def _publish_telemetry(self, tick: int) -> None:
         for fleet in self.fleets:
-            for line in self._talk.tell(fleet.lines(), time.time()):
-                self.bridge.publish(ROSOUT, Payload(line))
+            for level, node, text in fleet.lines():
+                self.bridge.publish(ROSOUT, Payload(self._talk.say(time.time(), level, node, text)))
         self.bridge.spread()
         self.bridge.services.actions.publish_feedback()
         if tick % max(1, round(self._rate)) == 0:
@@ -188,7 +186,6 @@ class RosbridgeServer:
                 self.bridge.publish(name)
 
     def _own_topics(self, dialect: Dialect) -> Iterator[Topic]:
-        """Return the topics of the bridge itself."""
         count, clients = map(dialect.message_type, ("std_msgs/Int32", "rosbridge_msgs/ConnectedClients"))
         yield Topic(COUNT, count, lambda _now: Payload({"data": len(self._sessions)}), latched=True)
         yield Topic(CLIENTS, clients, lambda _now: Payload({"clients": self._clients()}), latched=True)

@@ -81,7 +81,6 @@ class Building:
         return SimGraph(vertices, tuple(e for floor in self.floors for e in floor.graph.edges) + rides)
 
     def floor_of(self, vertex: int) -> SimFloor:
-        """The floor on which a vertex of this building lies."""
         return self._floor_by_vertex[vertex]
 
     @cached_property

@@ -37,7 +37,6 @@ def _changed(server: "RosbridgeServer", robot: str, change: Callable[[bytes], by
 
 
 def truncated(server: "RosbridgeServer", robot: str) -> None:
-    """Send the first half of each picture."""
     _changed(server, robot, lambda data: data[: len(data) // 2])
 
 
@@ -51,7 +50,6 @@ def huge(server: "RosbridgeServer", robot: str) -> None:
 
 
 def stops(server: "RosbridgeServer", robot: str) -> None:
-    """Send no more pictures after a while."""
     every(server, robot, STOPS, lambda: server.bridge.muted.add(_name(robot)))
 
 

@@ -150,7 +150,6 @@ def lost_master(server: "RosbridgeServer", robot: str) -> None:
 
 
 def frozen_rosapi(server: "RosbridgeServer", _robot: str) -> None:
-    """Freeze rosapi's node."""
     server.bridge.services.silent_services.update(server.bridge.services.rosapi.services)
 
 
@@ -166,12 +165,10 @@ def unsourced(*packages: str) -> Play:
 
 
 def overloaded(server: "RosbridgeServer", _robot: str) -> None:
-    """Limit the bridge's throughput, so that messages arrive later and later."""
     server.bridge.services.capacity = CARRIED
 
 
 def dead_rosapi(server: "RosbridgeServer", _robot: str) -> None:
-    """End rosapi's node."""
     server.bridge.services.rosapi_alive = False
 
 

@@ -78,7 +78,6 @@ class MoveBaseFleet(NavigatingFleet[SimMoveBase]):
         )
 
     def subscriptions(self) -> Subscriptions:
-        """The goals, poses, twists and cancellations for each robot."""
         return {
             **super().subscriptions(),
             **{
@@ -98,7 +97,6 @@ class MoveBaseFleet(NavigatingFleet[SimMoveBase]):
         return {**{f"/{name}/{CLEAR}": empty for name in self.robots}, **super().services(dialect)}
 
     def answer(self, service: str, args: Mapping[str, Any]) -> Message:
-        """The answer of a service; `args` complete and of the right types."""
         return {} if service.endswith(CLEAR) else super().answer(service, args)
 
     def changes(
@@ -125,7 +123,6 @@ class MoveBaseFleet(NavigatingFleet[SimMoveBase]):
         return _news(name, part, dialect, now, value)
 
     def lines(self) -> Iterator[Line]:
-        """Return the log lines of move_base for everything that happened since the last call."""
         for name, navigation in self.navigation.items():
             lines = list(navigation.lines)
             navigation.lines.clear()

@@ -65,7 +65,6 @@ class SimMoveBase:
 
     @property
     def busy(self) -> bool:
-        """Tell whether it has a goal."""
         return bool(self.server.running)
 
     def receive_goal(self, message: Message) -> None:
@@ -93,28 +92,23 @@ class SimMoveBase:
             self.server.cancel(message["id"], _nanoseconds(message["stamp"]))
 
     def give(self, x: float, y: float, yaw: float = 0.0) -> None:
-        """Send a pose as a goal, as another client would."""
         header = {"seq": 0, "stamp": _time(self._clock()), "frame_id": FRAME}
         self.receive_pose({"header": header, "pose": solid(Pose(x, y, yaw))})
 
     def employ(self, rng: random.Random) -> None:
-        """Send it to a labelled vertex, as another client would."""
         floor = self.robot.floor
         spot = floor.graph.vertices[rng.choice(tuple(floor.labels))]
         self.give(spot.x, spot.y, rng.uniform(-3.0, 3.0))
 
     def recharge(self) -> None:
-        """Send it to its charger, as another client would."""
         charger = self.robot.floor.charger
         self.give(charger.x, charger.y)
 
     def cancel_all(self) -> None:
-        """Cancel its goals as another client would."""
         if self.alive:
             self.server.cancel("", 0)
 
     def abort(self) -> None:
-        """Abort the current drive."""
         if self.robot.driving:
             self.robot.fail(*NO_PROGRESS)
 
@@ -130,7 +124,6 @@ class SimMoveBase:
         self.server.restart()
 
     def step(self, dt: float) -> None:
-        """Bring the goals on, after the robot has lived for dt seconds."""
         self.server.age(dt)
         goal = self.server.accept()
         if goal is not None:

@@ -70,7 +70,6 @@ class Nav2Fleet(NavigatingFleet[SimNavigation]):
 
     @cached_property
     def actions(self) -> Mapping[str, ActionServer]:
-        """Every robot's action servers by name."""
         return {
             server.name: server
             for navigation in self.navigation.values()
@@ -103,7 +102,6 @@ class Nav2Fleet(NavigatingFleet[SimNavigation]):
     def changes(
         self, name: str, navigation: SimNavigation, dialect: Dialect, now: float
     ) -> Iterator[tuple[str, Payload]]:
-        """The obstacle and the goals of one robot."""
         robot = navigation.robot
         # The monitor looks at the robot's commanded twists: while it stands nothing changes.
         if robot.driving and (robot.obstacle > 0.0) != self._stopped[name]:
@@ -138,7 +136,6 @@ class Nav2Fleet(NavigatingFleet[SimNavigation]):
         }
 
     def answer(self, service: str, args: Mapping[str, Any]) -> Message:
-        """The answer of a service; `args` complete and of the right types."""
         if service.endswith(ACTIVE):
             return {"success": self.navigation[service.split("/")[1]].active, "message": ""}
         if service.endswith(STATE):
@@ -156,7 +153,6 @@ class Nav2Fleet(NavigatingFleet[SimNavigation]):
         return answer | {"goals_canceling": goals}
 
     def feedback(self, server: ActionServer, goal: ServedGoal, dialect: Dialect) -> Message | None:
-        """Return the feedback on a goal, None if the action sends none."""
         navigation = self._navigation_of(server)
         if navigation.robot.silence or not navigation.publishes:
             return None
@@ -164,7 +160,6 @@ class Nav2Fleet(NavigatingFleet[SimNavigation]):
         return messages.feedback(navigation, server.verb, goal, dialect.header(0, at, FRAME))
 
     def result(self, server: ActionServer, goal: ServedGoal) -> Message | None:
-        """Return the result of an ended goal, None while the robot is silent."""
         navigation = self._navigation_of(server)
         return None if navigation.robot.silence else messages.result(goal, navigation.distro)
 
@@ -172,7 +167,6 @@ class Nav2Fleet(NavigatingFleet[SimNavigation]):
         return self.navigation[server.name.split("/")[1]]
 
     def lines(self) -> Iterator[Line]:
-        """Return the log lines of Nav2's nodes for everything that happened since the last call."""
         statuses: dict[bytes, int] = {}
         for name, navigation in self.navigation.items():
             lines = [*self._goal_lines(name, navigation, statuses), *self._obstacle_line(navigation.robot)]
@@ -253,7 +247,6 @@ class RouteServers:
         self.graphs: dict[str, TakenGraph] = {}
 
     def answer(self, robot: str, args: Mapping[str, Any]) -> Message:
-        """Carry out a call to a robot's server."""
         return {"success": self.load(robot, args["graph_filepath"])}
 
     def load(self, robot: str, path: str) -> bool:

@@ -76,7 +76,6 @@ class SimNavigation:
         self._tours: dict[str, _Tour] = {}
 
     def give(self, x: float, y: float, yaw: float = 0.0) -> ServedGoal | None:
-        """Send a goal of navigate_to_pose as another client would; None if it is rejected."""
         return self.take(TO_POSE, {"pose": stamped(Pose(x, y, yaw)), "behavior_tree": ""})
 
     def take(self, verb: str, request: Message) -> ServedGoal | None:
@@ -94,30 +93,24 @@ class SimNavigation:
             self.take(TO_POSE, {"pose": poses[0], "behavior_tree": ""})
 
     def recharge(self) -> None:
-        """Let it dock, as another client would."""
         self.take(DOCK, {"use_dock_id": True, "dock_id": "charger"})
 
     @property
     def busy(self) -> bool:
-        """Tell whether it has a goal."""
         return any(server.running for server in self.servers.values())
 
     def cancel_all(self) -> None:
-        """Cancel its goals as another client would."""
         for server in self.servers.values():
             server.cancel(bytes(16), 0)
 
     def new_id(self) -> bytes:
-        """An id for a goal."""
         return self._ids.randbytes(16)
 
     def abort(self, code: int = 105, message: str = "Failed to make progress") -> None:
-        """Abort the current drive."""
         if self._current is not None:
             self.robot.fail(code, message)
 
     def warn(self, node: str, text: str, is_error: bool = False) -> None:
-        """Log a warning of one of its nodes, or an error."""
         self.complaints.append((ERROR if is_error else WARN, node, text))
 
     def state_of(self, node: str) -> str:
@@ -128,7 +121,6 @@ class SimNavigation:
         return "active" if self.active else "inactive"
 
     def step(self, dt: float) -> None:
-        """Bring the goals on, after the robot has lived for dt seconds."""
         for server in self.servers.values():
             server.age(dt)
         self._advance_drive()

@@ -19,6 +19,7 @@ from fleet_tui.simulator.senses.belief import DRIFT
 
 if TYPE_CHECKING:
     # The command line lists the faults: it must not wait for the server to be imported.
+    from fleet_tui.model.geometry import Pose
     from fleet_tui.simulator.navigating.robot import NavigatingRobot
     from fleet_tui.simulator.navigating.world import Navigating
     from fleet_tui.simulator.server import RosbridgeServer
@@ -28,6 +29,11 @@ else:
     N = TypeVar("N")
 
 AWHILE = 3.0  # seconds after which something happens to a drive
+LOCALISED_HZ = 20.0
+COUNTED_HZ = 50.0
+"""Transforms a second of the localisation and of the wheels: two publishers of one topic."""
+TOLERANCE = 1.0
+"""Seconds by which a localisation stamps its transform ahead, so that it is valid until the next one."""
 EVERY = 20.0  # seconds between two goals of another client
 
 
@@ -106,10 +112,39 @@ def own_transforms(server: "RosbridgeServer", robot: str) -> None:
     _transforms(server, robot, f"/{robot}/tf", "")
 
 
-def _transforms(server: "RosbridgeServer", robot: str, topic: str, prefix: str) -> None:
-    from fleet_tui.simulator.navigating import transforms
+def _transforms(server: "RosbridgeServer", name: str, topic: str, prefix: str) -> None:
+    """Withdraw the topic of its localisation, which slam_toolbox lacks, and publish transforms on `topic`;
+    `prefix` is before the names of its own frames."""
+    from fleet_tui.simulator.frames import Payload
+    from fleet_tui.simulator.messages import FRAME, Topic, solid
+    from fleet_tui.simulator.senses.laser import TRANSFORMS
 
-    transforms.publish(server, navigation_of(server, robot).robot, topic, prefix)
+    robot: NavigatingRobot = robot_of(server, name)
+    bridge, nothing = server.bridge, Payload({"transforms": []})
+    bridge.withdraw(f"/{name}/amcl_pose")
+    bridge.advertise(Topic(topic, bridge.dialect.message_type(TRANSFORMS), lambda _now: nothing))
+    age = localised = counted = 0.0
+
+    def send(parent: str, child: str, pose: "Pose", ahead: float = 0.0) -> None:
+        placed, header = solid(pose), bridge.dialect.header(0, time.time() + ahead, parent)
+        moved = {"translation": placed["position"], "rotation": placed["orientation"]}
+        transform = {"header": header, "child_frame_id": f"{prefix}{child}", "transform": moved}
+        bridge.publish(topic, Payload({"transforms": [transform]}))
+
+    def step(passed: float) -> None:
+        nonlocal age, localised, counted
+        age += passed
+        while localised < age * LOCALISED_HZ:
+            localised += 1
+            if not (robot.silence or robot.is_unlocalised):
+                origin = robot.belief.of(robot.pose).after(robot.odom.inverse)
+                send(FRAME, "odom", origin, TOLERANCE)
+        while counted < age * COUNTED_HZ:
+            counted += 1
+            if not robot.silence:
+                send(f"{prefix}odom", "base_footprint", robot.odom)
+
+    each_step(server, name, step)
 
 
 BODY: Faults = {

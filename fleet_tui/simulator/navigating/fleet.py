@@ -60,7 +60,6 @@ class NavigatingFleet(NavigatingWorld[N], Fleet):
         self._places = {name: count(1) for name in self.robots}
 
     def topics(self, loaded_at: float, dialect: Dialect) -> Iterator[Topic]:
-        """Every topic; the maps were loaded at this wall time."""
         yield from self._map_topics(loaded_at, dialect)
         yield from self._surveys.topics(dialect)
         for navigation in self.navigation.values():
@@ -162,7 +161,6 @@ class NavigatingFleet(NavigatingWorld[N], Fleet):
         return poses | twists(self.robots)
 
     def services(self, dialect: Dialect) -> Mapping[str, ServiceType]:
-        """The services of set-up."""
         parts = {
             self.localise_service: "std_srvs/Empty",
             SETTLE: "std_srvs/Empty",
@@ -172,7 +170,6 @@ class NavigatingFleet(NavigatingWorld[N], Fleet):
         return {f"/{name}/{part}": type_ for name in self.robots for part, type_ in types.items()}
 
     def answer(self, service: str, args: Mapping[str, Any]) -> Message:
-        """Carry out a call to a service of set-up."""
         name, _, part = service.removeprefix("/").partition("/")
         robot = self.robots[name]
         if part == self.mapping_service:

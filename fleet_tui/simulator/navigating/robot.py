@@ -96,7 +96,6 @@ class NavigatingRobot(RobotBody):
         self._work = iter(())
 
     def fail(self, code: int, message: str) -> None:
-        """Abort the drive."""
         self.halt()
         self.failure = code, message
 
@@ -112,7 +111,6 @@ class NavigatingRobot(RobotBody):
         self.is_lost_at_start = False
 
     def step(self) -> None:
-        """Advance by STEP seconds."""
         self.silence, self.left_for = (max(0.0, one - STEP) for one in (self.silence, self.left_for))
         before = self.pose
         if self.driving:

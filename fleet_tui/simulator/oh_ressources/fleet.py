@@ -55,11 +55,9 @@ class OhFleet(Fleet):
         self.troubles.append(self._surveys.step)
 
     def step(self, dt: float) -> None:
-        """Advance the time by dt seconds."""
         self.world.step(dt)
 
     def topics(self, loaded_at: float, dialect: Dialect) -> Iterator[Topic]:
-        """Every topic of the world."""
         yield from topics_of(self.world, loaded_at, dialect, self._surveys.cells)
         yield from self._surveys.topics(dialect)
         for robot in self.robots.values():
@@ -78,7 +76,6 @@ class OhFleet(Fleet):
         } | {**self._graphs.subscriptions(), **twists(self.robots)}
 
     def services(self, dialect: Dialect) -> Mapping[str, ServiceType]:
-        """The services of every robot."""
         orders = {f"{DESK}/{verb}": name for verb, name in ORDER_SERVICES.items()}
         set_up = {MAPPING: "std_srvs/SetBool", SAVE: "slam_toolbox_msgs/SaveMap"}
         return {
@@ -104,11 +101,9 @@ class OhFleet(Fleet):
         yield from self._surveys.news(lambda floor: map_of(floor, now, dialect, self._surveys.cells))
 
     def lines(self) -> Iterable[Line]:
-        """Return the log lines for everything that happened since the last call."""
         return self._changes.lines()
 
     def health(self) -> Iterable[Message]:
-        """Return three entries for every robot that is not silent."""
         return (entry for robot in self.robots.values() if not robot.silence for entry in health(robot))
 
 
@@ -208,7 +203,6 @@ class Changes:
         self._seen: dict[str, _Seen] = {}
 
     def lines(self) -> Iterator[Line]:
-        """Return the log lines for everything that happened since the last call."""
         for name, robot in self._robots.items():
             seen, before = _seen(robot), self._seen.get(name)
             self._seen[name] = seen

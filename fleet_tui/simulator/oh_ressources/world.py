@@ -30,7 +30,6 @@ class World(SimWorld[SimRobot]):
             robot.step()
 
     def answer(self, service: str, args: Mapping[str, Any]) -> Values:
-        """The answer of one of a robot's services; `args` complete and of the right types."""
         _, name, _, verb = service.split("/")
         robot = self.robots[name]
         match verb:

@@ -103,7 +103,6 @@ class RmfWorld(SimWorld[SimMember]):
             door.step(self.robots, STEP)
 
     def _employ(self) -> None:
-        """Give an idle robot a task now and then, as another client would."""
         self._next -= STEP
         if self._next > 0.0:
             return
@@ -166,7 +165,6 @@ class RmfFleet(RmfWorld, Fleet):
         return [Payload({"fleet_name": one, "closed_lanes": self.closed_lanes}) for one in self.fleets]
 
     def subscriptions(self) -> Subscriptions:
-        """The topic of requests."""
         return {REQUESTS: ("rmf_task_msgs/ApiRequest", self.take)}
 
     def take(self, message: Message) -> None:
@@ -212,7 +210,6 @@ class RmfFleet(RmfWorld, Fleet):
                 yield LANES, payload
 
     def health(self) -> Iterable[Message]:
-        """Return the battery of every robot that is not silent."""
         for robot in self.robots.values():
             if not robot.silence:
                 yield entry(robot, "battery", HEALTHY, "charged", percent=f"{robot.body.battery:.1f}")

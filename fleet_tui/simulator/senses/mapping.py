@@ -71,7 +71,6 @@ class Surveys:
         return part, (ORIGIN[0] + low[1] * RESOLUTION, ORIGIN[1] + low[0] * RESOLUTION)
 
     def topics(self, dialect: Dialect) -> Iterator[Topic]:
-        """The mode of each robot."""
         for name in self._robots:
             type_ = dialect.message_type("std_msgs/String")
             yield Topic(f"/{name}/mode", type_, partial(self._mode, name), latched=True)

@@ -23,7 +23,8 @@ def world() -> World:
 
 
 def said(changes: Changes) -> list[tuple[int, str, str]]:
-    lines = Talk().tell(changes.lines(), WALL)
+    talk = Talk()
+    lines = [talk.say(WALL, *line) for line in changes.lines()]
     assert all(set(line) == LOG_FIELDS for line in lines)
     return [(line["level"], line["name"], line["msg"]) for line in lines]
 
