@@ -71,9 +71,8 @@ class SimKind:
 
 def _oh_ressources(robots: int, floors: int, seed: int, first: int, step: int) -> "Fleet":
     from fleet_tui.simulator.oh_ressources.fleet import OhFleet
-    from fleet_tui.simulator.oh_ressources.world import World
 
-    return OhFleet(World(robots, floors, seed, first=first, step=step))
+    return OhFleet(robots, floors, seed, first=first, step=step)
 
 
 def _move_base(robots: int, floors: int, seed: int, first: int, step: int) -> "Fleet":

@@ -16,7 +16,6 @@ from fleet_tui.simulator.frames import Payload
 from fleet_tui.simulator.logs import DIAGNOSTICS, ROSOUT, Talk, log_topics
 from fleet_tui.simulator.messages import Topic
 from fleet_tui.simulator.oh_ressources.fleet import OhFleet
-from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.ros.dialect import ROS1, Dialect
 from fleet_tui.simulator.senses.laser import frames_topic
 from fleet_tui.simulator.sessions.session import Session
@@ -38,7 +37,7 @@ _LOG.addHandler(logging.NullHandler())
 class RosbridgeServer:
     """A rosbridge server in front of one or more fleets, which it steps `rate` times a second.
 
-    A World alone is served as the fleet of its robots. `speed`: seconds of world time in a second; the rates
+    `speed`: seconds of world time in a second; the rates
     on the wire stay as they are. Port 0 takes a free one. `subscribe_delay`: seconds every subscribe takes
     (the real bridge needs 0.02).
     The attributes without an underscore are for tests: to read and to change.
@@ -46,7 +45,7 @@ class RosbridgeServer:
 
     def __init__(
         self,
-        fleets: World | Fleet | Sequence[Fleet],
+        fleets: Fleet | Sequence[Fleet],
         host: str = "127.0.0.1",
         port: int = 0,
         rate: float = 10.0,
@@ -55,8 +54,6 @@ class RosbridgeServer:
         dialect: Dialect = ROS1,
     ) -> None:
         self._talk = Talk(dialect)
-        if isinstance(fleets, World):
-            fleets = OhFleet(fleets)
         fleets = fleets if isinstance(fleets, Sequence) else (fleets,)
         now = time.time()
         topics = [topic for fleet in fleets for topic in fleet.topics(now, dialect)]
@@ -76,9 +73,9 @@ class RosbridgeServer:
         self._life: asyncio.Task[None] | None = None
 
     @property
-    def world(self) -> World:
-        """The world of the first fleet that has one."""
-        return next(fleet.world for fleet in self.fleets if isinstance(fleet, OhFleet))
+    def world(self) -> OhFleet:
+        """The first fleet of the source's robots."""
+        return next(fleet for fleet in self.fleets if isinstance(fleet, OhFleet))
 
     async def start(self) -> None:
         """Listen and run the world. Raises FleetError if the port is unavailable."""

@@ -81,13 +81,7 @@ class ServiceDesk:
         """The listeners to messages that clients publish to robots, by topic."""
         listened = {name: dialect.message_type(type_) for name, (type_, _) in subscriptions.items()}
         self.guests = Guests(dialect, self.topics, self.types, self.offered, listened, self.unsourced)
-
-        def action_servers() -> list[str]:
-            # That of ROS 1 finds no move_base: it expects an action's topics in a row of the sorted list, in
-            # which those of the costmaps are between them.
-            return [*self.actions.names]
-
-        graph = RosGraph(self.types, listened, self.offered, subscribed, action_servers)
+        graph = RosGraph(self.types, listened, self.offered, subscribed, lambda: self.actions.names)
         self.rosapi = RosapiServer(dialect, graph, time.time, self.guests.owns)
 
     def fleet_of(self, robot: str) -> Fleet:

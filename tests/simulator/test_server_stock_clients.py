@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from fleet_tui.simulator.oh_ressources.world import World
+from fleet_tui.simulator.oh_ressources.fleet import OhFleet
 from fleet_tui.simulator.ros.dialect import ROS1, Dialect
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
@@ -62,7 +62,7 @@ def messages(dialect: Dialect) -> dict[str, Json]:
 
 async def asked_by(client: list[str], dialect: Dialect) -> Json:
     """The messages of a stock client, as its program prints them."""
-    server = RosbridgeServer(World(3, 2, seed=1, quiet=True), rate=20.0, dialect=dialect)
+    server = RosbridgeServer(OhFleet(3, 2, seed=1, quiet=True), rate=20.0, dialect=dialect)
     await server.start()
     server.bridge.started -= 10.0
     message, service = dialect.message_type, dialect.service_type

@@ -9,7 +9,6 @@ from typing import Any
 
 from fleet_tui.simulator.fleets import Fleet, Line, Subscriptions
 from fleet_tui.simulator.frames import Payload
-from fleet_tui.simulator.graph import SimEdge, SimGraph, SimVertex
 from fleet_tui.simulator.logs import BROKEN, DEBUG, DOUBTFUL, ERROR, HEALTHY, INFO, WARN, entry
 from fleet_tui.simulator.messages import Message, Topic, flat
 from fleet_tui.simulator.oh_ressources.messages import graph_of, labels_of, map_of, topics_of
@@ -21,7 +20,7 @@ from fleet_tui.simulator.senses.camera import camera_topic
 from fleet_tui.simulator.senses.laser import scan_topic
 from fleet_tui.simulator.senses.mapping import Surveys
 from fleet_tui.simulator.senses.wheels import twists
-from fleet_tui.simulator.warehouse import SimFloor
+from fleet_tui.simulator.warehouse import SimEdge, SimFloor, SimGraph, SimVertex
 
 DESK = "Application_layout"
 ORDER_SERVICES = {
@@ -40,25 +39,23 @@ GRAPH_SAVE = "graph_save"
 LABELS_SAVE = "labels_save"
 
 
-class OhFleet(Fleet):
-    """The robots of a World on the wire."""
+class OhFleet(World, Fleet):
+    """The robots of the source's stack on the wire."""
 
     kind = "oh_ressources"
+    robots: dict[str, SimRobot]
 
-    def __init__(self, world: World) -> None:
-        self.world = world
-        self.robots: Mapping[str, SimRobot] = world.robots
-        self.troubles = world.troubles
-        self._graphs = SentGraphs(world)
-        self._changes = Changes(world.robots)
-        self._surveys = Surveys(world.robots, self._map_topics)
+    def __init__(
+        self, robots: int, floors: int, seed: int = 0, quiet: bool = False, first: int = 0, step: int = 1
+    ) -> None:
+        super().__init__(robots, floors, seed, quiet, first, step)
+        self._graphs = SentGraphs(self)
+        self._seen: dict[str, _Seen] = {}
+        self._surveys = Surveys(self.robots, self._map_topics)
         self.troubles.append(self._surveys.step)
 
-    def step(self, dt: float) -> None:
-        self.world.step(dt)
-
     def topics(self, loaded_at: float, dialect: Dialect) -> Iterator[Topic]:
-        yield from topics_of(self.world, loaded_at, dialect, self._surveys.cells)
+        yield from topics_of(self, loaded_at, dialect, self._surveys.cells)
         yield from self._surveys.topics(dialect)
         for robot in self.robots.values():
             yield scan_topic(robot, dialect)
@@ -92,7 +89,7 @@ class OhFleet(Fleet):
         if service.endswith(f"/{MAPPING}"):
             self._surveys.switch(service.split("/")[1], on=args["data"])
             return {"success": True, "message": ""}
-        return self.world.answer(service, args)
+        return super().answer(service, args)
 
     def news(self, dialect: Dialect) -> Iterable[tuple[str, Payload]]:
         """Return modes, graphs and live maps that changed: all other topics are published continuously."""
@@ -100,8 +97,13 @@ class OhFleet(Fleet):
         yield from self._graphs.news()
         yield from self._surveys.news(lambda floor: map_of(floor, now, dialect, self._surveys.cells))
 
-    def lines(self) -> Iterable[Line]:
-        return self._changes.lines()
+    def lines(self) -> Iterator[Line]:
+        for name, robot in self.robots.items():
+            seen, before = _seen(robot), self._seen.get(name)
+            self._seen[name] = seen
+            if before is not None and before != seen and not robot.silence:
+                for level, node, message in _changes(before, seen, robot):
+                    yield level, f"/{name}/{node}", message
 
     def health(self) -> Iterable[Message]:
         return (entry for robot in self.robots.values() if not robot.silence for entry in health(robot))
@@ -168,7 +170,7 @@ def _vertex(given: Mapping[str, Any]) -> SimVertex:
 
 @dataclass(frozen=True)
 class _Seen:
-    """The state of a robot at the last call."""
+    """What the log tells of a robot, as it was at the last call."""
 
     last_order: int
     current: int
@@ -193,22 +195,6 @@ def _seen(robot: SimRobot) -> _Seen:
         robot.floor.name,
         robot.vertex,
     )
-
-
-class Changes:
-    """Detects the changes of robots between two calls."""
-
-    def __init__(self, robots: Mapping[str, SimRobot]) -> None:
-        self._robots = robots
-        self._seen: dict[str, _Seen] = {}
-
-    def lines(self) -> Iterator[Line]:
-        for name, robot in self._robots.items():
-            seen, before = _seen(robot), self._seen.get(name)
-            self._seen[name] = seen
-            if before is not None and before != seen and not robot.silence:
-                for level, node, message in _changes(before, seen, robot):
-                    yield level, f"/{name}/{node}", message
 
 
 def _changes(before: _Seen, now: _Seen, robot: SimRobot) -> Iterator[Line]:

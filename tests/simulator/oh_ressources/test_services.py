@@ -3,7 +3,6 @@
 import pytest
 
 from fleet_tui.simulator.oh_ressources.fleet import OhFleet
-from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.ros.dialect import ROS1, Dialect
 from fleet_tui.simulator.ros.filling import service_type
 from fleet_tui.simulator.ros.ros2 import ROS2
@@ -14,7 +13,7 @@ from fleet_tui.simulator.ros.ros2 import ROS2
     [(ROS1, "OH_ressources/Execute_manual_order"), (ROS2, "oh_ressources/srv/ExecuteManualOrder")],
 )
 def test_a_service_has_the_dialects_name_and_the_same_request(dialect: Dialect, order: str) -> None:
-    services = OhFleet(World(1, 1)).services(dialect)
+    services = OhFleet(1, 1).services(dialect)
     execute, pause, resume = (
         services[f"/robot_0/Application_layout/{verb}"] for verb in ("Execute_order", "Pause", "Resume")
     )
