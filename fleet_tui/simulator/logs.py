@@ -4,17 +4,12 @@ import time
 from collections import deque
 from collections.abc import Iterator, Sequence
 from itertools import count
-from typing import TYPE_CHECKING, Any
 
+from fleet_tui.simulator.fleets import Fleet
 from fleet_tui.simulator.frames import Payload
 from fleet_tui.simulator.messages import Topic
-from fleet_tui.simulator.ros.dialect import ROS1, Dialect
-
-if TYPE_CHECKING:
-    from fleet_tui.simulator.fleets import Fleet
-    from fleet_tui.simulator.world import Body
-
-Message = dict[str, Any]
+from fleet_tui.simulator.ros.dialect import ROS1, Dialect, Message
+from fleet_tui.simulator.world import Body
 
 ROSOUT = "/rosout"
 DIAGNOSTICS = "/diagnostics"
@@ -57,7 +52,7 @@ class Talk:
         yield from map(Payload, recent if self._dialect.keeps_log else newest)
 
 
-def log_topics(fleets: "Sequence[Fleet]", dialect: Dialect, talk: Talk) -> Iterator[Topic]:
+def log_topics(fleets: Sequence[Fleet], dialect: Dialect, talk: Talk) -> Iterator[Topic]:
     """The topics; a line of the log is published only once."""
     log = dialect.message_type("rosgraph_msgs/Log")
     yield Topic(ROSOUT, log, lambda _now: Payload({}), latched=True, history=talk.latched)
@@ -69,7 +64,7 @@ def log_topics(fleets: "Sequence[Fleet]", dialect: Dialect, talk: Talk) -> Itera
     yield Topic(DIAGNOSTICS, dialect.message_type("diagnostic_msgs/DiagnosticArray"), health)
 
 
-def entry(robot: "Body", part: str, level: int, message: str, **values: str) -> Message:
+def entry(robot: Body, part: str, level: int, message: str, **values: str) -> Message:
     """An entry of /diagnostics about a part of a robot."""
     return {
         "level": level,

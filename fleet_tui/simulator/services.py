@@ -15,7 +15,7 @@ from fleet_tui.simulator.messages import Topic
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.ros.errors import HandlerError, NodeDiedError, ServiceError
 from fleet_tui.simulator.ros.filling import fill_request
-from fleet_tui.simulator.rosapi import HIDDEN, RosapiServer, RosGraph
+from fleet_tui.simulator.rosapi import BRIDGE, HIDDEN, RosapiServer, RosGraph
 from fleet_tui.simulator.sessions.client import Client
 from fleet_tui.simulator.sessions.operations import Operation
 from fleet_tui.simulator.world import Body
@@ -61,7 +61,7 @@ class ServiceDesk:
         """Services whose node reacts only this many seconds after a call."""
         is_ros2 = dialect.call_timeout is not None
         of_node: Values = {"values": []} if is_ros2 else {"loggers": []}
-        own = "/rosbridge_websocket/get_parameters" if is_ros2 else "/rosbridge_websocket/get_loggers"
+        own = f"{BRIDGE}/get_parameters" if is_ros2 else f"{BRIDGE}/get_loggers"
         self.answers: dict[str, Callable[[Values], Values]] = {own: lambda _: of_node}
         """Answers instead of the world's, made from the args; a ServiceError makes the call fail."""
         self.deliveries: dict[str, Callable[[Call, Frame], None]] = {}
@@ -119,7 +119,7 @@ class ServiceDesk:
     def answer(self, operation: Mapping[str, Any]) -> Frame | None:
         """Return the frame that answers a call_service operation, None if it is never answered."""
         service, args = resolve(operation["service"]), operation.get("args")
-        if not service.startswith(("/rosapi/", "/rosbridge_websocket/")):
+        if not service.startswith(("/rosapi/", f"{BRIDGE}/")):
             self.calls.append((service, args if isinstance(args, dict) else {}))
             del self.calls[:-REMEMBERED]
         if service in self.silent_services:

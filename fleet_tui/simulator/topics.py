@@ -14,11 +14,11 @@ from fleet_tui.simulator.frames import OutgoingFrame, Payload
 from fleet_tui.simulator.logs import ERROR, INFO, ROSOUT, WARN, Talk
 from fleet_tui.simulator.messages import Topic
 from fleet_tui.simulator.ros.dialect import Dialect
+from fleet_tui.simulator.rosapi import BRIDGE
 from fleet_tui.simulator.services import REMEMBERED, ServiceDesk
 from fleet_tui.simulator.sessions.client import Client
 from fleet_tui.simulator.sessions.operations import Operation
 
-BRIDGE = "/rosbridge_websocket"
 CANCELLED = {"topic": "subscription to", "service": "service call for", "action": "sending action goal for"}
 """What a bridge cancels of a name that its allow-list lacks, as it logs that."""
 

@@ -135,7 +135,7 @@ class RmfFleet(RmfWorld, Fleet):
     ) -> None:
         super().__init__(robots, floors, seed, quiet, first, step, fleets, _millis)
         self.period = period
-        self._due = self._tick = 0.0
+        self._due = 0.0
         self._told_lanes: list[int] = []
         self._seen = dict.fromkeys(self.robots, time.time())
         self._responses: list[tuple[str, Message]] = []
