@@ -8,7 +8,7 @@ from typing import Generic, Protocol, TypeVar
 
 from fleet_tui.simulator.robot import STEP
 from fleet_tui.simulator.senses.wheels import Wheels
-from fleet_tui.simulator.warehouse import build_building
+from fleet_tui.simulator.warehouse import SimFloor, build_building
 
 
 class Body(Protocol):
@@ -61,6 +61,15 @@ class SimWorld(ABC, Generic[B]):
             if not self._quiet:
                 self._employ()
                 self._silence()
+
+    def _start_of(self, index: int) -> tuple[SimFloor, int]:
+        """Return the floor and the id of the vertex where a robot starts: in turn on all floors, spread over
+        the vertices."""
+        row, number = divmod(index, len(self.building.floors))
+        floor = self.building.floors[number]
+        vertices = tuple(floor.graph.vertices)
+        # Without a common factor with the number of vertices, so that none is taken twice before all are.
+        return floor, vertices[(13 * row + 3 * number) % len(vertices)]
 
     @abstractmethod
     def _new_robot(self, turn: int, index: int) -> B:

@@ -74,12 +74,8 @@ class NavigatingWorld(SimWorld[NavigatingRobot], Generic[N]):
             self.navigation[name].step(STEP)
 
     def _new_robot(self, turn: int, index: int) -> NavigatingRobot:
-        """Robots start in turn on all floors, spread over the vertices."""
-        row, number = divmod(index, len(self.building.floors))
-        floor = self.building.floors[number]
-        vertices = tuple(floor.graph.vertices.values())
-        # Without a common factor with the number of vertices, so that none is taken twice before all are.
-        spot = vertices[(13 * row + 3 * number) % len(vertices)]
+        floor, vertex = self._start_of(index)
+        spot = floor.graph.vertices[vertex]
         pose = Pose(spot.x, spot.y, self._rng.uniform(-3.0, 3.0))
         return NavigatingRobot(index, floor, pose, self._rng, self._quiet)
 

@@ -4,7 +4,7 @@ import io
 import json
 import time
 from collections import deque
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 import numpy as np
 from PIL import Image
@@ -59,8 +59,11 @@ BOOL = 4
 """Types of a parameter."""
 
 
-class RmfWorld(SimWorld[SimMember]):
-    """Robots in `fleets`. `millis`: the wall clock in milliseconds."""
+class RmfFleet(SimWorld[SimMember], Fleet):
+    """Robots in `fleets`. `period`: seconds between two states of a fleet."""
+
+    kind = "rmf"
+    robots: dict[str, SimMember]
 
     def __init__(
         self,
@@ -71,11 +74,11 @@ class RmfWorld(SimWorld[SimMember]):
         first: int = 0,
         step: int = 1,
         fleets: tuple[str, ...] = FLEETS,
-        millis: Callable[[], int] = lambda: 0,
+        period: float = 1.0,
     ) -> None:
         self.fleets = fleets
         super().__init__(robots, floors, seed, quiet, first, step)
-        self.dispatcher = SimDispatcher(self.robots, millis)
+        self.dispatcher = SimDispatcher(self.robots, _millis)
         self.lift = SimLift(self.building)
         self.doors = [
             SimDoor(name, floor.name, spot) for floor in self.building.floors for name, spot in DOORS.items()
@@ -84,14 +87,18 @@ class RmfWorld(SimWorld[SimMember]):
         """The numbers of closed edges, alike for all fleets."""
         self.offline = set[str]()
         """Dispensers and ingestors that are offline."""
+        self.period = period
         self._next = 3.0
         self._given = 0
+        self._due = 0.0
+        self._told_lanes: list[int] = []
+        self._seen = dict.fromkeys(self.robots, time.time())
+        self._responses: list[tuple[str, Message]] = []
+        self._last_tasks: deque[Payload] = deque(maxlen=TASKS_KEPT)
+        self._last_updates: dict[str, Payload] = {}
 
     def _new_robot(self, turn: int, index: int) -> SimMember:
-        """Robots start in turn on all floors, spread over the vertices."""
-        row, number = divmod(index, len(self.building.floors))
-        vertices = tuple(self.building.floors[number].graph.vertices)
-        vertex = vertices[(13 * row + 3 * number) % len(vertices)]
+        _, vertex = self._start_of(index)
         return SimMember(turn, index, self.building, vertex, self._rng, self._quiet, self.fleets)
 
     def _live(self) -> None:
@@ -114,33 +121,6 @@ class RmfWorld(SimWorld[SimMember]):
             self._given += 1
             places = tuple(self._rng.sample(sorted(member.places), 2))
             member.assign(SimTask(f"patrol.web-{self._given}", places, "rmf-web"))
-
-
-class RmfFleet(RmfWorld, Fleet):
-    """The robots of an RmfWorld on the wire. `period`: seconds between two states of a fleet."""
-
-    kind = "rmf"
-    robots: dict[str, SimMember]
-
-    def __init__(
-        self,
-        robots: int,
-        floors: int,
-        seed: int = 0,
-        quiet: bool = False,
-        first: int = 0,
-        step: int = 1,
-        fleets: tuple[str, ...] = FLEETS,
-        period: float = 1.0,
-    ) -> None:
-        super().__init__(robots, floors, seed, quiet, first, step, fleets, _millis)
-        self.period = period
-        self._due = 0.0
-        self._told_lanes: list[int] = []
-        self._seen = dict.fromkeys(self.robots, time.time())
-        self._responses: list[tuple[str, Message]] = []
-        self._last_tasks: deque[Payload] = deque(maxlen=TASKS_KEPT)
-        self._last_updates: dict[str, Payload] = {}
 
     def topics(self, loaded_at: float, dialect: Dialect) -> Iterator[Topic]:
         """Every topic: none is of one robot alone."""

@@ -7,8 +7,8 @@ import pytest
 from websockets.asyncio.client import ClientConnection, connect
 
 from fleet_tui.simulator.fleets import Fleet
+from fleet_tui.simulator.graph_files import write_graphs
 from fleet_tui.simulator.nav2.fleet import Nav2Fleet
-from fleet_tui.simulator.navigating.graph_file import write_graphs
 from fleet_tui.simulator.oh_ressources.fleet import OhFleet
 from fleet_tui.simulator.ros.goals import CANCELED, EXECUTING
 from fleet_tui.simulator.ros.ros2 import ROS2
