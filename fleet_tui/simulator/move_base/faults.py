@@ -21,31 +21,25 @@ CONNECTS = 0.1  # seconds in which `first-lost` connects a new publisher
 GENERIC = ("frozen-rosapi", "dead-rosapi", "overloaded")
 
 
-def _aborts(navigation: "SimMoveBase", age: float) -> float:
-    if age < AWHILE:
-        return age
+def _aborts(navigation: "SimMoveBase") -> None:
     navigation.abort()
-    return 0.0
 
 
-def _dies(navigation: "SimMoveBase", age: float) -> float:
-    if age > AWHILE:
-        navigation.die()
-    return age
+def _dies(navigation: "SimMoveBase") -> None:
+    navigation.die()
 
 
 def _restarts(server: "RosbridgeServer", robot: str) -> None:
     """Restart the node once, in the middle of its first goal."""
     done = False
 
-    def change(navigation: "SimMoveBase", age: float) -> float:
+    def restart(navigation: "SimMoveBase") -> None:
         nonlocal done
-        if age > AWHILE and not done:
+        if not done:
             done = True
             navigation.restart()
-        return age
 
-    often(change)(server, robot)
+    often(restart)(server, robot)
 
 
 def _intercepted(change: "Callable[[RosbridgeServer, Take, dict[str, Any]], None]", parts: str = "") -> Play:

@@ -39,20 +39,14 @@ GENERIC = (
 )
 
 
-def _aborts(navigation: "SimNavigation", age: float) -> float:
-    if age < AWHILE:
-        return age
+def _aborts(navigation: "SimNavigation") -> None:
     navigation.abort(ABORTS)
-    return 0.0
 
 
-def _silent_aborts(navigation: "SimNavigation", age: float) -> float:
+def _silent_aborts(navigation: "SimNavigation") -> None:
     """Abort as a behaviour tree does whose controller is late: no code, no text, a warning in the log."""
-    if age < AWHILE:
-        return age
     navigation.warn(*LATE_CONTROLLER)
     navigation.abort(0, "")
-    return 0.0
 
 
 def _refuse_cancel(server: "RosbridgeServer", robot: str) -> None:
@@ -63,14 +57,12 @@ def _refuse_cancel(server: "RosbridgeServer", robot: str) -> None:
 def _dead_server(server: "RosbridgeServer", robot: str) -> None:
     """Crash the node of the action servers during the first goal."""
 
-    def change(navigation: "SimNavigation", age: float) -> float:
-        if age > AWHILE:
-            for one in navigation.servers.values():
-                one.die()
-                server.bridge.services.silent_services.add(f"{one.name}/_action/cancel_goal")
-        return age
+    def die(navigation: "SimNavigation") -> None:
+        for action in navigation.servers.values():
+            action.die()
+            server.bridge.services.silent_services.add(f"{action.name}/_action/cancel_goal")
 
-    often(change)(server, robot)
+    often(die)(server, robot)
 
 
 def _mute_rejection(server: "RosbridgeServer", _robot: str) -> None:
@@ -112,10 +104,9 @@ def _bring_up(server: "RosbridgeServer", robot: str) -> None:
     each_step(server, robot, step)
 
 
-def _foreign_spin(navigation: "SimNavigation", age: float) -> float:
-    if age >= AWHILE and not navigation.busy:
+def _foreign_spin(navigation: "SimNavigation") -> None:
+    if not navigation.busy:
         navigation.take("spin", {"target_yaw": 30.0, "time_allowance": {"sec": 60, "nanosec": 0}})
-    return 0.0 if age >= AWHILE else age
 
 
 FAULTS: Faults = {

@@ -45,37 +45,33 @@ def navigation_of(server: "RosbridgeServer", robot: str) -> Any:
     return fleet.navigation[robot]
 
 
-def often(change: Callable[[N, float], float], idle: bool = False) -> Play:
-    """Return a recurring fault: `change` receives the seconds since the goal began, or if `idle` since the
-    fault last occurred, and returns the seconds to count on from."""
+def often(act: Callable[[N], None], seconds: float | None = None, idle: bool = False) -> Play:
+    """Return a recurring fault: it occurs `seconds`, or else AWHILE, after a goal began, and after it occurred
+    last; if `idle` without a goal, too."""
 
     def play(server: "RosbridgeServer", robot: str) -> None:
         navigation, age = navigation_of(server, robot), 0.0
 
         def step(passed: float) -> None:
             nonlocal age
-            busy = idle or navigation.busy
-            age = change(navigation, age + passed if busy else 0.0)
+            age = age + passed if idle or navigation.busy else 0.0
+            if age >= (AWHILE if seconds is None else seconds):
+                age = 0.0
+                act(navigation)
 
         each_step(server, robot, step)
 
     return play
 
 
-def _foreign_goal(navigation: "Navigating", age: float) -> float:
-    if age < EVERY:
-        return age
+def _foreign_goal(navigation: "Navigating") -> None:
     floor, at = navigation.robot.floor, navigation.robot.pose
     far = max(floor.labels, key=lambda id_: abs(floor.graph.vertices[id_].x - at.x))
     navigation.give(floor.graph.vertices[far].x, floor.graph.vertices[far].y)
-    return 0.0
 
 
-def _foreign_cancel(navigation: "Navigating", age: float) -> float:
-    if age < AWHILE:
-        return age
+def _foreign_cancel(navigation: "Navigating") -> None:
     navigation.cancel_all()
-    return 0.0
 
 
 def _lost(server: "RosbridgeServer", robot: str) -> None:
@@ -91,15 +87,14 @@ def _mislocalised(server: "RosbridgeServer", robot: str) -> None:
 def unlocalised(server: "RosbridgeServer", robot: str) -> None:
     """Kill the node of its localisation during the first goal."""
 
-    def change(navigation: "Navigating", age: float) -> float:
-        if age > AWHILE and not navigation.robot.is_unlocalised:
+    def die(navigation: "Navigating") -> None:
+        if not navigation.robot.is_unlocalised:
             navigation.robot.is_unlocalised = True
             navigation.robot.localised_last = navigation.robot.pose, time.time()
             if (topic := f"/{robot}/amcl_pose") in server.bridge.topics:
                 server.bridge.withdraw(topic)
-        return age
 
-    often(change)(server, robot)
+    often(die)(server, robot)
 
 
 def shared_transforms(server: "RosbridgeServer", robot: str) -> None:
@@ -158,7 +153,10 @@ BODY: Faults = {
         unlocalised,
     ),
     "stuck": ("wheels blocked: recoveries, then an abort", having(robot_of, stuck=True)),
-    "foreign-goal": (f"another client sends a goal every {EVERY:g} s", often(_foreign_goal, idle=True)),
+    "foreign-goal": (
+        f"another client sends a goal every {EVERY:g} s",
+        often(_foreign_goal, EVERY, idle=True),
+    ),
     "foreign-cancel": (f"another client cancels every goal after {AWHILE:g} s", often(_foreign_cancel)),
     "no-odom": ("no odometry", having(robot_of, odometry=False)),
     "lost": ("localisation uncertain and wrong", _lost),
