@@ -35,6 +35,7 @@ PURE = [
 PURE_SIMULATOR = [
     *(
         "world.py",
+        "messages.py",
         "oh_ressources/world.py",
         "warehouse.py",
         "robot.py",
