@@ -12,7 +12,7 @@ from hypothesis import settings
 
 from fleet_tui.links import memory
 from fleet_tui.simulator.nav2.fleet import Nav2Fleet
-from fleet_tui.simulator.oh_ressources.world import World
+from fleet_tui.simulator.oh_ressources.fleet import OhFleet
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.ui.terminal import fault_guard
@@ -60,7 +60,7 @@ def pytest_collection_finish() -> None:
 @pytest.fixture
 async def server() -> AsyncIterator[RosbridgeServer]:
     """Two quiet simulated robots on two floors behind a real server."""
-    running = RosbridgeServer(World(robots=2, floors=2, seed=1, quiet=True))
+    running = RosbridgeServer(OhFleet(robots=2, floors=2, seed=1, quiet=True))
     await running.start()
     yield running
     await running.stop()
@@ -79,7 +79,7 @@ def no_own_faults(request: pytest.FixtureRequest, caplog: pytest.LogCaptureFixtu
 @pytest.fixture
 async def ros_2() -> AsyncIterator[RosbridgeServer]:
     """Two quiet simulated robots on two floors behind a bridge of ROS 2."""
-    running = RosbridgeServer(World(robots=2, floors=2, seed=1, quiet=True), dialect=ROS2)
+    running = RosbridgeServer(OhFleet(robots=2, floors=2, seed=1, quiet=True), dialect=ROS2)
     await running.start()
     yield running
     await running.stop()

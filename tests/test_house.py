@@ -34,6 +34,8 @@ PURE = [
 ]
 PURE_SIMULATOR = [
     *(
+        "world.py",
+        "messages.py",
         "oh_ressources/world.py",
         "warehouse.py",
         "robot.py",
@@ -41,8 +43,8 @@ PURE_SIMULATOR = [
         "ros/goals.py",
         "ros/actionlib.py",
     ),
-    *(f"navigating/{name}.py" for name in ("world", "robot", "paths", "poses", "messages")),
-    *("nav2/world.py", "nav2/navigation.py", "nav2/messages.py", "move_base/navigation.py"),
+    *(f"navigating/{name}.py" for name in ("world", "robot", "paths", "messages")),
+    *("nav2/navigation.py", "nav2/messages.py", "move_base/navigation.py"),
 ]
 FORBIDDEN_NAMES = ("Manager", "Helper", "Utils", "Handler", "Data", "Info")
 IMPURE_CALLS = {"open", "print", "input", "now", "today", "monotonic", "perf_counter", "time_ns", "read_text"}

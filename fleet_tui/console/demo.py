@@ -98,7 +98,7 @@ def demo_config(
 def vehicles_config(found: Config, url: str, robots: int, floors: int, folder: Path) -> Config:
     """Return theme and keys of the user's config, with simulated vehicles on a broker, whose master control
     is this console."""
-    from fleet_tui.simulator.vda5050.graph_file import write_lif
+    from fleet_tui.simulator.graph_files import write_lif
 
     graphs = write_lif(folder, floors)
     return msgspec.structs.replace(
@@ -141,7 +141,7 @@ def graphs_of(kind: str, folder: Path, floors: Sequence[str]) -> dict[str, str]:
     it."""
     if not needs_graph_files(kind):
         return {}
-    from fleet_tui.simulator.navigating.graph_file import write_graphs
+    from fleet_tui.simulator.graph_files import write_graphs
 
     path = folder / "graph.geojson" if len(floors) == 1 else folder
     return dict(zip(floors, map(str, write_graphs(path, len(floors))), strict=True))

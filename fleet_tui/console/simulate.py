@@ -140,7 +140,7 @@ def _ros(command: F) -> F:
 
 def _announce(graph_file: Path | None, floors: int, urls: Sequence[str]) -> None:
     """Write the graphs and print the addresses: only now, as a port may have been unavailable."""
-    from fleet_tui.simulator.navigating.graph_file import write_graphs
+    from fleet_tui.simulator.graph_files import write_graphs
 
     if graph_file:
         write_graphs(graph_file, floors)
@@ -320,7 +320,7 @@ def _on_broker(
     speed: float,
 ) -> None:
     """Serve simulated vehicles on a broker of their own."""
-    from fleet_tui.simulator.vda5050.graph_file import write_lif
+    from fleet_tui.simulator.graph_files import write_lif
     from fleet_tui.simulator.vda5050.serving import serve, vehicles_of
 
     given = click.get_current_context().get_parameter_source("port")
@@ -328,6 +328,5 @@ def _on_broker(
         port = MQTT_PORT
     vehicles = vehicles_of([f"robot_{n}" for n in range(first, first + robots)], floors, seed, fault)
     if graph_file:
-        graph_file.mkdir(parents=True, exist_ok=True)
         write_lif(graph_file, floors)
     serve(vehicles, port, rate, partial(_announce, None, floors), stop_with_stdin, speed)

@@ -27,8 +27,6 @@ Ended = asyncio.Future[None]
 
 @dataclass(eq=False)
 class _Given:
-    """A goal that a client sent."""
-
     client: Client
     operation: Operation
     fleet: Fleet
@@ -54,7 +52,6 @@ class ActionDesk:
         return [name for name, (_, server) in self._servers.items() if server.alive]
 
     def send(self, client: Client, operation: Operation) -> Ended:
-        """Pass a client's goal to its action server."""
         name = resolve(operation["action"])
         fleet, server = self._servers.get(name, (None, None))
         try:
@@ -83,7 +80,6 @@ class ActionDesk:
         raise BridgeError(f"No goal with id {operation.get('id')} to cancel")
 
     def publish_feedback(self) -> None:
-        """Send feedback to the clients that asked for it."""
         for given in self._given:
             if given.operation.get("feedback") and given.server.alive and not given.goal.over:
                 values = given.fleet.feedback(given.server, given.goal, self._dialect)

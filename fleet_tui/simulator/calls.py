@@ -32,7 +32,6 @@ class Call:
             self._timer = asyncio.get_running_loop().call_later(limit, self._give_up)
 
     def reply(self, frame: Frame) -> None:
-        """Send a frame as the answer."""
         if self._timer is not None:
             self._timer.cancel()
         if not self.given_up:
@@ -40,11 +39,9 @@ class Call:
             self._end()
 
     def reply_in(self, seconds: float, frame: Frame) -> None:
-        """Send a frame as the answer after `delay` seconds."""
         asyncio.get_running_loop().call_later(seconds, self.reply, frame)
 
     def answer(self, values: Any, result: bool = True) -> None:
-        """Send an answer made of these values."""
         self.reply(response(self.operation, values, result))
 
     def _give_up(self) -> None:

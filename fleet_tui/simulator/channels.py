@@ -35,7 +35,6 @@ class Channel:
     clients: set[Client] = field(default_factory=set)
 
     def receives(self, topic: Topic, dialect: Dialect) -> bool:
-        """Tell whether this subscription receives the messages of a topic."""
         return self.type == dialect.short(topic.type) and (topic.latched or not self.demanding)
 
 
@@ -56,13 +55,15 @@ class Channels:
     def __iter__(self) -> Iterator[str]:
         return iter(self._channels)
 
+    def __getitem__(self, name: str) -> Channel:
+        return self._channels[name]
+
     def clients(self, name: str) -> set[Client]:
         """The clients that hold a topic under this name."""
         channel = self._channels.get(name)
         return channel.clients if channel else set()
 
     def types(self) -> Mapping[str, str]:
-        """The subscribed topics, with the requested types."""
         message = self._dialect.message_type
         return {resolve(name): message(channel.type) for name, channel in self._channels.items()}
 
@@ -99,14 +100,6 @@ class Channels:
         if not self._dialect.discovers or topic.name in OF_THE_BRIDGE:
             return 0.0
         return FIRST + (LAST - FIRST) * (zlib.crc32(topic.name.encode()) % 100) / 100
-
-    def receives(self, name: str, topic: Topic) -> bool:
-        """Tell whether clients that subscribed under this name receive the messages of a topic."""
-        return self._channels[name].receives(topic, self._dialect)
-
-    def durable(self, name: str) -> bool:
-        """Tell whether the subscription receives latched values."""
-        return self._channels[name].durable
 
     def _type(self, name: str, wanted: str | None, topic: Topic | None) -> str:
         published = None if topic is None else self._dialect.short(topic.type)

@@ -80,12 +80,10 @@ class Payload:
 
     @cached_property
     def cbor(self) -> bytes:
-        """The message as CBOR, int8 arrays as typed arrays."""
         return cbor2.dumps(self.msg, default=_as_tag)
 
     @cached_property
     def cbor_raw(self) -> bytes:
-        """The time and ROS's own encoding as CBOR."""
         return cbor2.dumps(self._raw(self.msg) if self._raw else self.msg, default=_as_tag)
 
 

@@ -11,8 +11,8 @@ from fleet_tui.simulator.frames import Payload, to_json
 from fleet_tui.simulator.messages import Topic
 from fleet_tui.simulator.ros.definitions import SERVICES
 from fleet_tui.simulator.ros.dialect import Dialect
-from fleet_tui.simulator.ros.filling import fill
-from fleet_tui.simulator.ros_types import ServiceError, ServiceType
+from fleet_tui.simulator.ros.errors import ServiceError
+from fleet_tui.simulator.ros.filling import ServiceType, fill, fill_request
 from fleet_tui.simulator.sessions.client import Client
 from fleet_tui.simulator.sessions.operations import Operation
 
@@ -61,7 +61,6 @@ class Guests:
         return name in self._advertised or name in self._offers
 
     def offers(self, service: str) -> bool:
-        """Tell whether a client offers the service."""
         return service in self._offers
 
     def advertise(self, client: Client, name: str, type_: str, latched: bool) -> None:
@@ -88,7 +87,6 @@ class Guests:
             self._advertised[name].add(client)
 
     def unadvertise(self, client: Client, name: str) -> None:
-        """Undo `advertise`."""
         name = resolve(name)
         self._since.pop((client, name), None)
         clients = self._advertised.get(name, set())
@@ -129,7 +127,6 @@ class Guests:
         raise ServiceError(self._dialect.unknown_package(type_.partition("/")[0], "srv"))
 
     def withdraw(self, client: Client, name: str) -> None:
-        """Undo `offer`."""
         offer = self._offers.get(resolve(name))
         if offer is not None and offer.client is client:
             del self._offers[resolve(name)], self._services[resolve(name)]
@@ -137,10 +134,8 @@ class Guests:
     def forward(self, service: str, call: "Call") -> None:
         """Bring a call to the client that offers the service. Raises ServiceError."""
         offer = self._offers[service]
-        type_ = self._services[service]
-        args = call.operation.get("args")
-        request = fill(
-            self._dialect, self._dialect.part(type_.name, "Request"), type_.fields, args, time.time()
+        request = fill_request(
+            self._dialect, self._services[service], call.operation.get("args"), time.time()
         )
         id_ = f"service_request:{service}:{next(offer.number)}"
         offer.waiting[id_] = call

@@ -2,20 +2,14 @@
 
 import time
 from collections import deque
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from itertools import count
-from typing import TYPE_CHECKING, Any
 
+from fleet_tui.simulator.fleets import Fleet
 from fleet_tui.simulator.frames import Payload
 from fleet_tui.simulator.messages import Topic
-from fleet_tui.simulator.ros.dialect import Dialect
-from fleet_tui.simulator.ros.ros1 import ROS1
-
-if TYPE_CHECKING:
-    from fleet_tui.simulator.fleets import Fleet, Line
-    from fleet_tui.simulator.messages import Body
-
-Message = dict[str, Any]
+from fleet_tui.simulator.ros.dialect import ROS1, Dialect, Message
+from fleet_tui.simulator.world import Body
 
 ROSOUT = "/rosout"
 DIAGNOSTICS = "/diagnostics"
@@ -40,10 +34,6 @@ class Talk:
         self._kept: deque[tuple[float, Message]] = deque(maxlen=KEPT)
         self._said = count(1)
 
-    def tell(self, lines: "Iterable[Line]", now: float) -> list[Message]:
-        """The lines as messages of /rosout."""
-        return [self.say(now, *line) for line in lines]
-
     def say(self, now: float, level: int, node: str, text: str) -> Message:
         """A line as a message of /rosout."""
         line = self._dialect.log(next(self._said), now, level, node, text)
@@ -62,7 +52,7 @@ class Talk:
         yield from map(Payload, recent if self._dialect.keeps_log else newest)
 
 
-def log_topics(fleets: "Sequence[Fleet]", dialect: Dialect, talk: Talk) -> Iterator[Topic]:
+def log_topics(fleets: Sequence[Fleet], dialect: Dialect, talk: Talk) -> Iterator[Topic]:
     """The topics; a line of the log is published only once."""
     log = dialect.message_type("rosgraph_msgs/Log")
     yield Topic(ROSOUT, log, lambda _now: Payload({}), latched=True, history=talk.latched)
@@ -74,7 +64,7 @@ def log_topics(fleets: "Sequence[Fleet]", dialect: Dialect, talk: Talk) -> Itera
     yield Topic(DIAGNOSTICS, dialect.message_type("diagnostic_msgs/DiagnosticArray"), health)
 
 
-def entry(robot: "Body", part: str, level: int, message: str, **values: str) -> Message:
+def entry(robot: Body, part: str, level: int, message: str, **values: str) -> Message:
     """An entry of /diagnostics about a part of a robot."""
     return {
         "level": level,

@@ -1,34 +1,25 @@
-"""Messages and topics of robots and floors."""
+"""Topics, and messages that several kinds of robots send."""
 
 import math
 import struct
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from functools import lru_cache, partial
 from itertools import count
-from typing import Any, Protocol
+from typing import Any
 
-from fleet_tui.simulator.floorplan import HEIGHT, ORIGIN, RESOLUTION, WIDTH, Cells
+from fleet_tui.model.geometry import Pose, yaw_of_quaternion
+from fleet_tui.simulator.floorplan import RESOLUTION, Cells
 from fleet_tui.simulator.frames import Payload
-from fleet_tui.simulator.oh_ressources.world import World
-from fleet_tui.simulator.robot import SimRobot
 from fleet_tui.simulator.ros.dialect import Dialect
 from fleet_tui.simulator.ros.encoding import encode
-from fleet_tui.simulator.ros.ros1 import ROS1
-from fleet_tui.simulator.senses.wheels import Wheels
-from fleet_tui.simulator.warehouse import SimFloor
+from fleet_tui.simulator.world import Body
 
 Message = dict[str, Any]
+Header = Callable[[float], Message]
+"""Makes the header of a topic's next message from the wall time."""
 
-
-class Body(Protocol):
-    """A robot of any kind."""
-
-    name: str
-    index: int
-    silence: float
-    """Seconds for which none of the robot's topics are published."""
-    wheels: Wheels
+GRID = "nav_msgs/OccupancyGrid"
+FRAME = "map"
 
 
 @dataclass(frozen=True)
@@ -51,71 +42,6 @@ class Topic:
     due: Callable[[], bool] | None = None
 
 
-CellsOf = Callable[[SimFloor], tuple[Cells, tuple[float, float]]]
-"""Returns the cells of a floor's map, and the place of its lower left corner."""
-
-
-def _whole(floor: SimFloor) -> tuple[Cells, tuple[float, float]]:
-    return floor.cells, ORIGIN
-
-
-def topics_of(
-    world: World, loaded_at: float, dialect: Dialect = ROS1, cells: CellsOf = _whole
-) -> Iterator[Topic]:
-    """Every topic of a world whose maps were loaded at this wall time."""
-    for robot in world.robots.values():
-        type_ = dialect.message_type("geometry_msgs/PoseStamped")
-        yield Topic(f"/{robot.name}/pose", type_, _poses(robot, dialect), robot, fast=True)
-        for name, (type_, message) in _TELEMETRY.items():
-            payload = partial(_now, message, robot, dialect, type_)
-            yield Topic(f"/{robot.name}/{name}", dialect.message_type(type_), payload, robot)
-    for number, floor in enumerate(world.building.floors):
-        for name, type_, value in (
-            ("map_metadata", "nav_msgs/MapMetaData", lambda _floor: _metadata(loaded_at, dialect)),
-            ("graph", "OH_ressources/Graph", graph_of),
-            ("labeled_vertices", "OH_ressources/LabeledVertices", labels_of),
-        ):
-            always = _of_floor(world, number, partial(_loaded, value, type_, loaded_at, dialect))
-            for robot in world.robots.values():
-                topic = f"/{robot.name}/{floor.name}/{name}"
-                yield Topic(topic, dialect.message_type(type_), always, latched=True)
-        yield from _maps(world, floor, loaded_at, dialect, cells)
-
-
-def _loaded(
-    value: Callable[[SimFloor], Message], type_: str, at: float, dialect: Dialect, floor: SimFloor
-) -> Payload:
-    return raw_payload(dialect, type_, at, value(floor))
-
-
-def _of_floor(
-    world: World, number: int, payload: Callable[[SimFloor], Payload]
-) -> Callable[[float], Payload]:
-    """The message of a floor, one for all robots and all subscribers until the floor is redrawn."""
-    made = lru_cache(maxsize=1)(payload)
-    return lambda _now: made(world.building.floors[number])
-
-
-def _maps(
-    world: World, floor: SimFloor, loaded_at: float, dialect: Dialect, cells: CellsOf
-) -> Iterator[Topic]:
-    type_ = "nav_msgs/OccupancyGrid"
-    loaded = raw_payload(dialect, type_, loaded_at, map_of(floor, loaded_at, dialect, cells))
-
-    def payload(now: float) -> Payload:
-        is_loaded = cells(floor)[0] is floor.cells
-        return loaded if is_loaded else Payload(map_of(floor, now, dialect, cells))
-
-    for robot in world.robots.values():
-        yield Topic(f"/{robot.name}/{floor.name}/map", dialect.message_type(type_), payload, latched=True)
-
-
-def headers_of(robot: SimRobot, dialect: Dialect, frame: str = "laser") -> Callable[[float], Message]:
-    """The headers of the scans, or the pictures, of a robot."""
-    said = count(1)
-    return lambda now: dialect.header(next(said), now, f"{robot.name}/{frame}")
-
-
 def raw_payload(dialect: Dialect, type_: str, now: float, value: Message) -> Payload:
     """A message that cbor-raw can carry too."""
 
@@ -131,102 +57,48 @@ def float32(value: float) -> float:
     return float(struct.unpack("f", struct.pack("f", value))[0])
 
 
-def _now(
-    message: Callable[[SimRobot], Message], robot: SimRobot, dialect: Dialect, type_: str, now: float
-) -> Payload:
-    return raw_payload(dialect, type_, now, message(robot))
+def headers(dialect: Dialect, frame: str = FRAME) -> Header:
+    """The headers of one topic, in the map's frame or another."""
+    sequence = count(1)
+    return lambda now: dialect.header(next(sequence), now, frame)
 
 
-def _poses(robot: SimRobot, dialect: Dialect) -> Callable[[float], Payload]:
-    said = count(1)
-
-    def payload(now: float) -> Payload:
-        pose = robot.belief.of(robot.pose)
-        half = pose.yaw / 2.0
-        header = dialect.header(next(said), now, robot.floor.name)
-        position = {"x": pose.x, "y": pose.y, "z": 0.0}
-        orientation = {"x": 0.0, "y": 0.0, "z": math.sin(half), "w": math.cos(half)}
-        message = {"header": header, "pose": {"position": position, "orientation": orientation}}
-        return raw_payload(dialect, "geometry_msgs/PoseStamped", now, message)
-
-    return payload
-
-
-def _battery(robot: SimRobot) -> Message:
-    return {"data": float32(robot.battery)}
-
-
-def _cargo(robot: SimRobot) -> Message:
-    return {"data": robot.cargo}
-
-
-def _obstacle(robot: SimRobot) -> Message:
-    return {"data": float32(robot.obstacle)}
-
-
-def _paused(robot: SimRobot) -> Message:
-    return {"data": robot.paused}
-
-
-def _queue(robot: SimRobot) -> Message:
+def solid(pose: Pose) -> Message:
+    """A pose in space: geometry_msgs/Pose."""
+    half = pose.yaw / 2.0
     return {
-        "request_id": robot.request_id,
-        "last_order_id": robot.last_order_id,
-        "robot_id": robot.index,
-        "current_order_id": robot.current_order_id,
-        "orders": [
-            {"id": order.id, "start": order.start, "end": order.end, "status": order.status}
-            for order in (*robot.ended, *robot.orders)
-        ],
+        "position": {"x": pose.x, "y": pose.y, "z": 0.0},
+        "orientation": {"x": 0.0, "y": 0.0, "z": math.sin(half), "w": math.cos(half)},
     }
 
 
-_TELEMETRY: Mapping[str, tuple[str, Callable[[SimRobot], Message]]] = {
-    "battery": ("std_msgs/Float32", _battery),
-    "cargo": ("std_msgs/Bool", _cargo),
-    "obstacle": ("std_msgs/Float32", _obstacle),
-    "queue": ("OH_ressources/ActionQueue", _queue),
-    "paused": ("std_msgs/Bool", _paused),
-}
+def stamped(pose: Pose) -> Message:
+    """A pose on the map without a time: geometry_msgs/PoseStamped."""
+    return {"header": {"stamp": {"sec": 0, "nanosec": 0}, "frame_id": FRAME}, "pose": solid(pose)}
 
 
-def _metadata(
-    loaded_at: float,
-    dialect: Dialect,
-    origin: tuple[float, float] = ORIGIN,
-    shape: tuple[int, ...] = (HEIGHT, WIDTH),
-) -> Message:
-    x, y = origin
+def flat(pose: Message) -> Pose:
+    """A pose on the plane; a quaternion of zeros is no rotation."""
+    turn = pose["orientation"]
+    try:
+        yaw = yaw_of_quaternion(turn["x"], turn["y"], turn["z"], turn["w"])
+    except ValueError:
+        yaw = 0.0
+    return Pose(pose["position"]["x"], pose["position"]["y"], yaw)
+
+
+def grid(cells: Cells, origin: tuple[float, float], header: Message, loaded: Message) -> Message:
+    """nav_msgs/OccupancyGrid; `origin` is the place of its lower left corner."""
+    return {"header": header, "info": grid_info(cells, origin, loaded), "data": cells.ravel()}
+
+
+def grid_info(cells: Cells, origin: tuple[float, float], loaded: Message) -> Message:
+    """nav_msgs/MapMetaData."""
+    height, width = cells.shape
     return {
-        "map_load_time": dialect.time(loaded_at),
+        "map_load_time": loaded,
         "resolution": float32(RESOLUTION),
-        "width": shape[1],
-        "height": shape[0],
-        "origin": {
-            "position": {"x": x, "y": y, "z": 0.0},
-            "orientation": {"x": 0.0, "y": 0.0, "z": 0.0, "w": 1.0},
-        },
+        "width": width,
+        "height": height,
+        "origin": solid(Pose(*origin)),
     }
-
-
-def graph_of(floor: SimFloor) -> Message:
-    """OH_ressources/Graph."""
-    return {
-        "vertices": [
-            {"id": vertex.id, "x": vertex.x, "y": vertex.y, "type": floor.types[vertex.id]}
-            for vertex in floor.graph.vertices.values()
-        ],
-        "edges": [{"id": edge.id, "start": edge.start, "end": edge.end} for edge in floor.graph.edges],
-    }
-
-
-def labels_of(floor: SimFloor) -> Message:
-    """OH_ressources/LabeledVertices."""
-    return {"vertices": [{"label": label, "vertex_id": id_} for id_, label in floor.labels.items()]}
-
-
-def map_of(floor: SimFloor, at: float, dialect: Dialect, cells: CellsOf) -> Message:
-    """nav_msgs/OccupancyGrid, as a robot knows a floor now."""
-    known, origin = cells(floor)
-    info = _metadata(at, dialect, origin, known.shape)
-    return {"header": dialect.header(1, at, floor.name), "info": info, "data": known.ravel()}

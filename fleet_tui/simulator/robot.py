@@ -1,4 +1,5 @@
-"""One simulated robot: its work is a generator that advances by STEP seconds at each `next`."""
+"""The body of a simulated robot, and a robot with a queue of orders: its work is a generator that advances by
+STEP seconds at each `next`."""
 
 import math
 import random
@@ -28,23 +29,40 @@ FULL = 80.0
 Work = Iterator[None]
 
 
-def robot_numbers(robots: int, first: int, step: int) -> range:
-    """Return the numbers in the names of `robots` robots, from `first`, in steps of `step`."""
-    return range(first, first + robots * step, step)
+class RobotBody:
+    """What drives, whatever its orders are: a battery, wheels, a belief of its pose, and obstacles that come
+    and go. `quiet`: none do. The attributes without an underscore may be changed."""
 
-
-class Obstructed:
-    """A robot with obstacles that appear and disappear; the attribute without an underscore is for tests."""
-
-    _rng: random.Random
-    _obstacle_in: float
-    """Seconds until the next random obstacle."""
-    _obstacle_for = 0.0
     obstacle = 0.0
     """Seconds in front of an obstacle, 0 = none."""
+    silence = 0.0
+    """Seconds for which none of the robot's topics are published."""
+    stuck = False
+    """True: its wheels are blocked."""
+    _obstacle_for = 0.0
+
+    def __init__(
+        self,
+        index: int,
+        pose: Pose,
+        rng: random.Random,
+        quiet: bool,
+        charged: tuple[float, float] = (45.0, 95.0),
+    ) -> None:
+        """`charged`: the lowest and the highest battery that it may begin with, in per cent."""
+        self.name = f"robot_{index}"
+        self.index = index
+        self.pose = pose
+        self.belief = Belief()
+        self.wheels = Wheels()
+        self.battery = rng.uniform(*charged)
+        """Per cent."""
+        self._rng = rng
+        self._quiet = quiet
+        self._obstacle_in = rng.uniform(25.0, 90.0)
+        """Seconds until the next random obstacle."""
 
     def block(self) -> None:
-        """Put an obstacle before it that stays."""
         self.obstacle = STEP
         self._obstacle_for = math.inf
 
@@ -62,6 +80,29 @@ class Obstructed:
             self.obstacle = 0.0
         return self.obstacle > 0.0
 
+    def _charge_by(self, rate: float) -> None:
+        """Charge for a step, at a rate in per cent per second."""
+        self.battery = min(100.0, max(0.0, self.battery + rate * STEP))
+
+    def _reach(self, x: float, y: float) -> Work:
+        """Turn towards a place, and drive straight to it."""
+        if math.dist((x, y), (self.pose.x, self.pose.y)) > 1e-9:
+            yield from self._face(math.atan2(y - self.pose.y, x - self.pose.x))
+            yield from self._roll_to(x, y)
+
+    def _face(self, wanted: float) -> Work:
+        while abs(left := math.remainder(wanted - self.pose.yaw, math.tau)) > 1e-9:
+            turned = math.copysign(min(abs(left), TURN * STEP), left)
+            self.pose = Pose(self.pose.x, self.pose.y, math.remainder(self.pose.yaw + turned, math.tau))
+            yield
+
+    def _roll_to(self, x: float, y: float) -> Work:
+        while (left := math.dist((x, y), (self.pose.x, self.pose.y))) > 1e-9:
+            part = min(1.0, SPEED * STEP / left)
+            at = self.pose
+            self.pose = Pose(at.x + part * (x - at.x), at.y + part * (y - at.y), at.yaw)
+            yield
+
 
 @dataclass
 class SimOrder:
@@ -74,37 +115,27 @@ class SimOrder:
     status: str = "Q"
 
 
-class SimRobot(Obstructed):
-    """A robot and its queue. `quiet` turns off obstacles and trips to the docking station."""
+class SimRobot(RobotBody):
+    """A robot and its queue, stuck only while it has an order in process. If `quiet` it does not dock."""
 
     def __init__(self, index: int, building: Building, vertex: int, rng: random.Random, quiet: bool) -> None:
-        self.name = f"robot_{index}"
-        self.index = index
         self._building = building
-        self._rng = rng
-        self._quiet = quiet
+        pose = Pose(*self._spot(vertex), yaw=rng.uniform(-math.pi, math.pi))
+        charged = (28.0, 33.0) if index == 1 and not quiet else (45.0, 95.0)
+        super().__init__(index, pose, rng, quiet, charged)
         self.vertex = vertex
         """The id of the vertex it reached last."""
         self.bound: int | None = None
         """The id of the vertex it drives to, None while it is at `vertex`."""
-        self.pose = Pose(*self._spot(vertex), yaw=rng.uniform(-math.pi, math.pi))
-        self.belief = Belief()
-        self.wheels = Wheels()
-        self.battery = rng.uniform(28.0, 33.0) if index == 1 and not quiet else rng.uniform(45.0, 95.0)
         self.cargo = False
         self.paused = False
         self.idle = 0.0
         """Seconds since it became idle."""
-        self.silence = 0.0
-        """Seconds for which none of the robot's topics are published."""
-        self.stuck = False
-        """True if it does not move while it has an order in process."""
         self.orders: list[SimOrder] = []
         self.ended: list[SimOrder] = []
         """Orders that are over and still reported."""
         self.last_order_id = self.request_id = 0
         self._driving = False
-        self._obstacle_in = rng.uniform(25.0, 90.0)
         self._work = self._live()
 
     @property
@@ -133,7 +164,6 @@ class SimRobot(Obstructed):
         return len(gone)
 
     def step(self) -> None:
-        """Advance by STEP seconds."""
         self.silence = max(0.0, self.silence - STEP)
         self._use_battery()
         held = self.paused or (self.stuck and self.current_order_id != -1)
@@ -151,7 +181,7 @@ class SimRobot(Obstructed):
         stop."""
         if not self.orders:
             self.restart()
-            self._work = _visit(self, pose)
+            self._work = self._visit(pose)
 
     def restart(self) -> None:
         """Begin its work again from where it is; cargo of the order in process stays on board."""
@@ -206,16 +236,24 @@ class SimRobot(Obstructed):
         if self._building.floor_of(vertex) is not self.floor:
             yield from _wait(RIDE)
         else:
-            yield from self._turn(vertex)
-            yield from _roll_to(self, *self._spot(vertex))
+            yield from self._reach(*self._spot(vertex))
         self.vertex = vertex
         self.bound = None
 
-    def _turn(self, vertex: int) -> Work:
-        x, y = self._spot(vertex)
-        if math.dist((x, y), (self.pose.x, self.pose.y)) < 1e-9:
-            return
-        yield from _face(self, math.atan2(y - self.pose.y, x - self.pose.x))
+    def _roll_to(self, x: float, y: float) -> Work:
+        self._driving = True
+        yield from super()._roll_to(x, y)
+        self._driving = False
+
+    def _visit(self, pose: Pose | None) -> Work:
+        if pose is not None:
+            yield from self._drive(self.floor.graph.nearest(pose.x, pose.y))
+            yield from self._face(math.atan2(pose.y - self.pose.y, pose.x - self.pose.x))
+            yield from self._roll_to(pose.x, pose.y)
+            yield from self._face(pose.yaw)
+        while not self.orders:
+            yield
+        yield from self._live()
 
     def _spot(self, vertex: int) -> tuple[float, float]:
         found = self._building.graph.vertices[vertex]
@@ -224,39 +262,9 @@ class SimRobot(Obstructed):
     def _use_battery(self) -> None:
         at_charger = self.bound is None and self.floor.types[self.vertex] == "charger"
         charging = at_charger and self.current_order_id == -1
-        rate = CHARGE if charging else -DRAIN if self._driving else -DRAIN_STANDING
-        self.battery = min(100.0, max(0.0, self.battery + rate * STEP))
+        self._charge_by(CHARGE if charging else -DRAIN if self._driving else -DRAIN_STANDING)
 
 
 def _wait(seconds: float) -> Work:
     for _ in range(round(seconds / STEP)):
         yield
-
-
-def _visit(robot: SimRobot, pose: Pose | None) -> Work:
-    if pose is not None:
-        yield from robot._drive(robot.floor.graph.nearest(pose.x, pose.y))
-        yield from _face(robot, math.atan2(pose.y - robot.pose.y, pose.x - robot.pose.x))
-        yield from _roll_to(robot, pose.x, pose.y)
-        yield from _face(robot, pose.yaw)
-    while not robot.orders:
-        yield
-    yield from robot._live()
-
-
-def _face(robot: SimRobot, wanted: float) -> Work:
-    while abs(left := math.remainder(wanted - robot.pose.yaw, math.tau)) > 1e-9:
-        turned = math.copysign(min(abs(left), TURN * STEP), left)
-        yaw = math.remainder(robot.pose.yaw + turned, math.tau)
-        robot.pose = Pose(robot.pose.x, robot.pose.y, yaw)
-        yield
-
-
-def _roll_to(robot: SimRobot, x: float, y: float) -> Work:
-    robot._driving = True
-    while (left := math.dist((x, y), (robot.pose.x, robot.pose.y))) > 1e-9:
-        part = min(1.0, SPEED * STEP / left)
-        at = robot.pose
-        robot.pose = Pose(at.x + part * (x - at.x), at.y + part * (y - at.y), at.yaw)
-        yield
-    robot._driving = False

@@ -8,9 +8,9 @@ from typing import Any
 from fleet_tui.simulator.ros.definitions import ACTIONS, MESSAGES
 from fleet_tui.simulator.ros.definitions import SERVICES as DEFINED_SERVICES
 from fleet_tui.simulator.ros.dialect import Dialect
-from fleet_tui.simulator.ros.filling import fill
+from fleet_tui.simulator.ros.errors import NodeDiedError
+from fleet_tui.simulator.ros.filling import ServiceType, fill_request, service_type
 from fleet_tui.simulator.ros.typedefs import action_typedefs, message_typedefs, service_typedefs
-from fleet_tui.simulator.ros_types import NodeDiedError, ServiceType, service_type
 
 FLEET = "/fleet"
 BRIDGE = "/rosbridge_websocket"
@@ -36,7 +36,8 @@ class RosGraph:
     """All topics and services, each name with its type; it may change later.
 
     `listened`: topics to which robots listen; `subscribed`: those to which the bridge is subscribed, with the
-    types it asked for.
+    types it asked for. `action_servers`: not those of ROS 1, where rosapi looks for the topics of an action
+    in a row of the sorted list, and those of move_base have the costmaps' between them.
     """
 
     topics: Mapping[str, str]
@@ -56,20 +57,14 @@ class RosapiServer:
         self._dialect = dialect
         self._clock = clock
         self._own = own
-        self._topics = graph.topics
-        self._services = graph.services
-        self._subscribed = graph.subscribed
-        self._listened = graph.listened
-        self._action_servers = graph.action_servers
+        self._graph = graph
         self.distro = dialect.distro
         self.services = rosapi_services(dialect)
         self._params = dict(dialect.params)
 
     def answer(self, service: str, args: object) -> Values:
         """The answer of one of its services. Raises ServiceError as every service does."""
-        type_ = self.services[service]
-        name = self._dialect.part(type_.name, "Request")
-        request = fill(self._dialect, name, type_.fields, args, self._clock())
+        request = fill_request(self._dialect, self.services[service], args, self._clock())
         verb = service.removeprefix(f"{ROSAPI}/")
         if verb.endswith(("_param", "_param_names")):
             return self._about_params(verb, request)
@@ -87,8 +82,10 @@ class RosapiServer:
     def _about_all(self, verb: str) -> Values:
         match verb:
             case "topics":
-                asked = {name: type_ for name, type_ in self._subscribed().items() if HIDDEN not in name}
-                found = {**asked, **self._listened, **self._topics}
+                asked = {
+                    name: type_ for name, type_ in self._graph.subscribed().items() if HIDDEN not in name
+                }
+                found = {**asked, **self._graph.listened, **self._graph.topics}
                 return {"topics": list(found), "types": list(found.values())}
             case "topics_and_raw_types":
                 found = self._about_all("topics")
@@ -106,12 +103,12 @@ class RosapiServer:
                 types += [self._dialect.service_type(name) for name in DEFINED_SERVICES]
                 return {"interfaces": sorted(set(types))}
             case "action_servers":
-                return {"action_servers": self._action_servers()}
+                return {"action_servers": self._graph.action_servers()}
         raise NodeDiedError  # action_type: the handler ends the whole of rosapi
 
     @property
     def _known(self) -> Mapping[str, ServiceType]:
-        return {name: type_ for name, type_ in self._services.items() if HIDDEN not in name}
+        return {name: type_ for name, type_ in self._graph.services.items() if HIDDEN not in name}
 
     def _fields(self, type_: str) -> Iterable[str]:
         for name, field in (self._dialect.fields(type_) or {}).items():
@@ -127,7 +124,7 @@ class RosapiServer:
 
     def _for_type(self, verb: str, type_: str) -> Values:
         if verb == "topics_for_type":
-            found = {**self._listened, **self._topics}
+            found = {**self._graph.listened, **self._graph.topics}
             return {"topics": [name for name, other in found.items() if other == type_]}
         return {"services": [name for name, other in self._known.items() if other.name == type_]}
 
@@ -147,11 +144,11 @@ class RosapiServer:
         if verb == "topic_type":
             if HIDDEN in topic:
                 return {"type": ""}
-            known = self._topics.get(topic) or self._listened.get(topic)
-            return {"type": known or self._subscribed().get(topic, "")}
+            known = self._graph.topics.get(topic) or self._graph.listened.get(topic)
+            return {"type": known or self._graph.subscribed().get(topic, "")}
         if verb == "publishers":
-            return {"publishers": [self._publisher(topic)] if topic in self._topics else []}
-        listening = {BRIDGE: self._subscribed(), FLEET: self._listened}
+            return {"publishers": [self._publisher(topic)] if topic in self._graph.topics else []}
+        listening = {BRIDGE: self._graph.subscribed(), FLEET: self._graph.listened}
         return {"subscribers": [node for node, topics in listening.items() if topic in topics]}
 
     def _about_nodes(self, verb: str, request: Values) -> Values:
@@ -162,8 +159,10 @@ class RosapiServer:
         if node not in nodes and self._dialect.fragile:
             raise NodeDiedError
         return {
-            "subscribing": list({BRIDGE: self._subscribed(), FLEET: self._listened}.get(node, ())),
-            "publishing": [name for name in self._topics if self._publisher(name) == node],
+            "subscribing": list(
+                {BRIDGE: self._graph.subscribed(), FLEET: self._graph.listened}.get(node, ())
+            ),
+            "publishing": [name for name in self._graph.topics if self._publisher(name) == node],
             "services": [name for name in (*self._known, *self.services) if self._offering(name) == node],
         }
 

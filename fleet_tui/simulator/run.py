@@ -11,7 +11,7 @@ from fleet_tui.signals import stop, stopped_by_signal
 from fleet_tui.simulator.faults import parse_faults_of
 from fleet_tui.simulator.fleets import Fleet
 from fleet_tui.simulator.kinds import KINDS, play
-from fleet_tui.simulator.ros.ros1 import ROS1
+from fleet_tui.simulator.ros.dialect import ROS1
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.simulator.site import SitedBridge, faults_of, site_of
@@ -48,7 +48,7 @@ def run(
         fleets, dialect = _fleets(bridge, floors, seed), DIALECTS[bridge.ros]
         servers.append(RosbridgeServer(fleets, port=port and at, rate=rate, speed=speed, dialect=dialect))
         play(servers[-1], [one for one in wanted if one[1] in servers[-1].bridge.services.robots])
-    if asyncio.run(_serve(servers, announce, stop_with_stdin, beside)):
+    if asyncio.run(serve_until_stopped(servers, announce, stop_with_stdin, beside)):
         raise SystemExit(130)
 
 
@@ -59,13 +59,13 @@ def _fleets(bridge: SitedBridge, floors: int, seed: int) -> list[Fleet]:
     ]
 
 
-async def _serve(
+async def serve_until_stopped(
     servers: Sequence[RosbridgeServer],
     announce: Callable[[Sequence[str]], None],
     stop_with_stdin: bool,
     beside: AbstractAsyncContextManager[str] | None,
 ) -> bool:
-    """Serve until stopped; return whether that was by Ctrl-C."""
+    """Serve bridges, and what is `beside` them; return whether Ctrl-C stopped it."""
     stopped = stopped_by_signal()
     async with AsyncExitStack() as stack:
         for server in servers:
@@ -76,11 +76,11 @@ async def _serve(
             urls.append(await stack.enter_async_context(beside))
         announce(urls)
         if stop_with_stdin:
-            threading.Thread(target=await_stdin, args=(stopped,), daemon=True).start()
+            threading.Thread(target=_await_stdin, args=(stopped,), daemon=True).start()
         return await stopped
 
 
-def await_stdin(stopped: asyncio.Future[bool]) -> None:
+def _await_stdin(stopped: asyncio.Future[bool]) -> None:
     """Wait on a thread of its own until stdin closes, then stop."""
     # os.read, not sys.stdin.read: a daemon thread inside a buffered read aborts the interpreter's exit.
     while os.read(sys.stdin.fileno(), 4096):

@@ -16,10 +16,8 @@ from fleet_tui.simulator.frames import Payload
 from fleet_tui.simulator.logs import DIAGNOSTICS, ROSOUT, Talk, log_topics
 from fleet_tui.simulator.messages import Topic
 from fleet_tui.simulator.oh_ressources.fleet import OhFleet
-from fleet_tui.simulator.oh_ressources.world import World
-from fleet_tui.simulator.ros.dialect import Dialect
-from fleet_tui.simulator.ros.ros1 import ROS1
-from fleet_tui.simulator.senses.mount import frames_topic
+from fleet_tui.simulator.ros.dialect import ROS1, Dialect
+from fleet_tui.simulator.senses.laser import frames_topic
 from fleet_tui.simulator.sessions.session import Session
 from fleet_tui.simulator.topics import TopicDesk
 from fleet_tui.text.errors import FleetError
@@ -39,7 +37,7 @@ _LOG.addHandler(logging.NullHandler())
 class RosbridgeServer:
     """A rosbridge server in front of one or more fleets, which it steps `rate` times a second.
 
-    A World alone is served as the fleet of its robots. `speed`: seconds of world time in a second; the rates
+    `speed`: seconds of world time in a second; the rates
     on the wire stay as they are. Port 0 takes a free one. `subscribe_delay`: seconds every subscribe takes
     (the real bridge needs 0.02).
     The attributes without an underscore are for tests: to read and to change.
@@ -47,7 +45,7 @@ class RosbridgeServer:
 
     def __init__(
         self,
-        fleets: World | Fleet | Sequence[Fleet],
+        fleets: Fleet | Sequence[Fleet],
         host: str = "127.0.0.1",
         port: int = 0,
         rate: float = 10.0,
@@ -56,8 +54,6 @@ class RosbridgeServer:
         dialect: Dialect = ROS1,
     ) -> None:
         self._talk = Talk(dialect)
-        if isinstance(fleets, World):
-            fleets = OhFleet(fleets)
         fleets = fleets if isinstance(fleets, Sequence) else (fleets,)
         now = time.time()
         topics = [topic for fleet in fleets for topic in fleet.topics(now, dialect)]
@@ -77,9 +73,9 @@ class RosbridgeServer:
         self._life: asyncio.Task[None] | None = None
 
     @property
-    def world(self) -> World:
-        """The world of the first fleet that has one."""
-        return next(fleet.world for fleet in self.fleets if isinstance(fleet, OhFleet))
+    def world(self) -> OhFleet:
+        """The first fleet of the source's robots."""
+        return next(fleet for fleet in self.fleets if isinstance(fleet, OhFleet))
 
     async def start(self) -> None:
         """Listen and run the world. Raises FleetError if the port is unavailable."""
@@ -105,7 +101,6 @@ class RosbridgeServer:
         self.bridge.started = time.monotonic()
 
     async def stop(self) -> None:
-        """Close every connection and stop the world."""
         if self._life is not None:
             self._life.cancel()
             with suppress(asyncio.CancelledError):
@@ -137,7 +132,6 @@ class RosbridgeServer:
         await asyncio.gather(*(connection.wait_closed() for connection in connections))
 
     def abort_clients(self) -> None:
-        """Abort every connection without waiting."""
         for session in self._sessions:
             session.connection.transport.abort()
 
@@ -173,8 +167,8 @@ class RosbridgeServer:
 
     def _publish_telemetry(self, tick: int) -> None:
         for fleet in self.fleets:
-            for line in self._talk.tell(fleet.lines(), time.time()):
-                self.bridge.publish(ROSOUT, Payload(line))
+            for level, node, text in fleet.lines():
+                self.bridge.publish(ROSOUT, Payload(self._talk.say(time.time(), level, node, text)))
         self.bridge.spread()
         self.bridge.services.actions.publish_feedback()
         if tick % max(1, round(self._rate)) == 0:
@@ -189,7 +183,6 @@ class RosbridgeServer:
                 self.bridge.publish(name)
 
     def _own_topics(self, dialect: Dialect) -> Iterator[Topic]:
-        """Return the topics of the bridge itself."""
         count, clients = map(dialect.message_type, ("std_msgs/Int32", "rosbridge_msgs/ConnectedClients"))
         yield Topic(COUNT, count, lambda _now: Payload({"data": len(self._sessions)}), latched=True)
         yield Topic(CLIENTS, clients, lambda _now: Payload({"clients": self._clients()}), latched=True)

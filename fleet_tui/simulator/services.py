@@ -11,13 +11,14 @@ from fleet_tui.simulator.channels import resolve
 from fleet_tui.simulator.fleets import Fleet
 from fleet_tui.simulator.frames import Frame
 from fleet_tui.simulator.guests import Guests
-from fleet_tui.simulator.messages import Body, Topic
+from fleet_tui.simulator.messages import Topic
 from fleet_tui.simulator.ros.dialect import Dialect
-from fleet_tui.simulator.ros.filling import fill
-from fleet_tui.simulator.ros_types import HandlerError, NodeDiedError, ServiceError
-from fleet_tui.simulator.rosapi import HIDDEN, RosapiServer, RosGraph
+from fleet_tui.simulator.ros.errors import HandlerError, NodeDiedError, ServiceError
+from fleet_tui.simulator.ros.filling import fill_request
+from fleet_tui.simulator.rosapi import BRIDGE, HIDDEN, RosapiServer, RosGraph
 from fleet_tui.simulator.sessions.client import Client
 from fleet_tui.simulator.sessions.operations import Operation
+from fleet_tui.simulator.world import Body
 
 WAITING = 1000  # messages that wait for an overloaded bridge; those after them are lost
 REMEMBERED = 10_000  # calls and operations kept for tests
@@ -60,7 +61,7 @@ class ServiceDesk:
         """Services whose node reacts only this many seconds after a call."""
         is_ros2 = dialect.call_timeout is not None
         of_node: Values = {"values": []} if is_ros2 else {"loggers": []}
-        own = "/rosbridge_websocket/get_parameters" if is_ros2 else "/rosbridge_websocket/get_loggers"
+        own = f"{BRIDGE}/get_parameters" if is_ros2 else f"{BRIDGE}/get_loggers"
         self.answers: dict[str, Callable[[Values], Values]] = {own: lambda _: of_node}
         """Answers instead of the world's, made from the args; a ServiceError makes the call fail."""
         self.deliveries: dict[str, Callable[[Call, Frame], None]] = {}
@@ -80,13 +81,7 @@ class ServiceDesk:
         """The listeners to messages that clients publish to robots, by topic."""
         listened = {name: dialect.message_type(type_) for name, (type_, _) in subscriptions.items()}
         self.guests = Guests(dialect, self.topics, self.types, self.offered, listened, self.unsourced)
-
-        def action_servers() -> list[str]:
-            # That of ROS 1 finds no move_base: it expects an action's topics in a row of the sorted list, in
-            # which those of the costmaps are between them.
-            return [*self.actions.names]
-
-        graph = RosGraph(self.types, listened, self.offered, subscribed, action_servers)
+        graph = RosGraph(self.types, listened, self.offered, subscribed, lambda: self.actions.names)
         self.rosapi = RosapiServer(dialect, graph, time.time, self.guests.owns)
 
     def fleet_of(self, robot: str) -> Fleet:
@@ -124,7 +119,7 @@ class ServiceDesk:
     def answer(self, operation: Mapping[str, Any]) -> Frame | None:
         """Return the frame that answers a call_service operation, None if it is never answered."""
         service, args = resolve(operation["service"]), operation.get("args")
-        if not service.startswith(("/rosapi/", "/rosbridge_websocket/")):
+        if not service.startswith(("/rosapi/", f"{BRIDGE}/")):
             self.calls.append((service, args if isinstance(args, dict) else {}))
             del self.calls[:-REMEMBERED]
         if service in self.silent_services:
@@ -141,9 +136,7 @@ class ServiceDesk:
         package = type_.name.partition("/")[0]
         if package in self.unsourced:
             raise ServiceError(self.dialect.unknown_package(package, "srv"))
-        request = fill(
-            self.dialect, self.dialect.part(type_.name, "Request"), type_.fields, args, time.time()
-        )
+        request = fill_request(self.dialect, type_, args, time.time())
         return self.fleet_of(service.split("/")[1]).answer(service, request)
 
     def _reply(self, call: Call, service: str) -> None:

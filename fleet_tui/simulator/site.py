@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
-from fleet_tui.simulator.faults import Faults
+from fleet_tui.simulator.faults.plays import Faults
 from fleet_tui.simulator.kinds import KINDS
 
 MIXED = "mixed"

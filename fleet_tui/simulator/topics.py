@@ -14,11 +14,11 @@ from fleet_tui.simulator.frames import OutgoingFrame, Payload
 from fleet_tui.simulator.logs import ERROR, INFO, ROSOUT, WARN, Talk
 from fleet_tui.simulator.messages import Topic
 from fleet_tui.simulator.ros.dialect import Dialect
+from fleet_tui.simulator.rosapi import BRIDGE
 from fleet_tui.simulator.services import REMEMBERED, ServiceDesk
 from fleet_tui.simulator.sessions.client import Client
 from fleet_tui.simulator.sessions.operations import Operation
 
-BRIDGE = "/rosbridge_websocket"
 CANCELLED = {"topic": "subscription to", "service": "service call for", "action": "sending action goal for"}
 """What a bridge cancels of a name that its allow-list lacks, as it logs that."""
 
@@ -58,10 +58,6 @@ class TopicDesk:
         """The start time of the bridge, monotonic."""
         self.forget_subscriptions()
 
-    def note(self, operation: Operation) -> None:
-        """Record an operation that arrived."""
-        self.received.append(operation)
-
     def forget_subscriptions(self) -> None:
         """Reset the bridge to one that has just started: without subscriptions, and lines of its own."""
         self._talk.forget(BRIDGE)
@@ -69,10 +65,9 @@ class TopicDesk:
 
     def subscribed(self) -> set[str]:
         """Return the topics with at least one subscriber."""
-        return set(self._asked())
+        return set(self.channels.types())
 
     def subscribers(self, topic: str) -> int:
-        """Return the number of clients subscribed to a topic."""
         return sum(len(self.channels.clients(name)) for name in _spellings(topic))
 
     def publish_raw(self, topic: str, msg: dict[str, Any] | str | bytes) -> int:
@@ -95,7 +90,6 @@ class TopicDesk:
                 self.services.in_turn(partial(self._send, asked, topic, OutgoingFrame(asked, payload)))
 
     def advertise(self, topic: Topic) -> None:
-        """Begin to publish a topic."""
         self.topics[topic.name], self.services.types[topic.name] = topic, topic.type
 
     def withdraw(self, name: str) -> None:
@@ -120,7 +114,6 @@ class TopicDesk:
         self.services.actions.send_results()
 
     def complain(self, client: Client, operation: Operation, text: str) -> None:
-        """Log an operation that has no effect."""
         id_ = f"[id: {operation['id']}] " if "id" in operation else ""
         self._log(client, ERROR, f"{id_}{operation.get('op')}: {text}")
 
@@ -152,7 +145,6 @@ class TopicDesk:
         self._log(client, INFO, f"Subscribed to {topic}")
 
     def leave(self, client: Client, topic: str) -> None:
-        """Forget a subscriber."""
         if self.channels.leave(client, topic, self._age):
             self.orphaned.discard(topic)
         self._log(client, INFO, f"Unsubscribed from {topic}")
@@ -163,10 +155,7 @@ class TopicDesk:
 
     def _known(self) -> Mapping[str, str]:
         """Return the subscriptions that ROS knows of, with the types that were asked for."""
-        return {name: type_ for name, type_ in self._asked().items() if name not in self.orphaned}
-
-    def _asked(self) -> Mapping[str, str]:
-        return self.channels.types()
+        return {name: type_ for name, type_ in self.channels.types().items() if name not in self.orphaned}
 
     def _send(self, asked: str, topic: Topic, publication: OutgoingFrame) -> None:
         never = self.dialect.short(topic.type) in self.dialect.never_cbor
@@ -186,7 +175,7 @@ class TopicDesk:
     def _flows(self, asked: str, topic: Topic) -> bool:
         if topic.name in self.muted or topic.name in self.orphaned:
             return False
-        return self.channels.receives(asked, topic) and self._age >= self.channels.delay(topic)
+        return self.channels[asked].receives(topic, self.dialect) and self._age >= self.channels.delay(topic)
 
     def _tell(self, client: Client, asked: str, channels: Channels) -> None:
         topic = self.topics.get(resolve(asked))
@@ -194,7 +183,7 @@ class TopicDesk:
             return
         if topic.name in self.muted or topic.name in self.orphaned:
             return
-        if channels.durable(asked) and channels.receives(asked, topic):
+        if channels[asked].durable and channels[asked].receives(topic, self.dialect):
             now = time.time()
             for payload in topic.history() if topic.history else (topic.payload(now),):
                 self._offer(client, asked, OutgoingFrame(asked, payload))

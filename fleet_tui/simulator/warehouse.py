@@ -1,6 +1,7 @@
 """A plausible warehouse with one plan per floor: the same floor number always gives the same floor. All
 lengths are in metres, in the robots' frame. The elevator is at the same place on every floor."""
 
+import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache, cached_property
@@ -8,8 +9,8 @@ from itertools import combinations
 
 import numpy as np
 
+from fleet_tui.model.graph import shortest_path
 from fleet_tui.simulator.floorplan import Cells, Plan, draw
-from fleet_tui.simulator.graph import SimEdge, SimGraph, SimVertex
 
 FLOOR_IDS = 100  # floor k numbers its vertices and edges from k * FLOOR_IDS
 
@@ -37,6 +38,50 @@ ELEVATOR_AT = (36.0, 10.0)
 MIDDLE = 10.0  # y about which every second pair of floors is mirrored; the elevator lies on it
 
 
+@dataclass(frozen=True)
+class SimVertex:
+    """A place: x, y in metres."""
+
+    id: int
+    x: float
+    y: float
+
+
+@dataclass(frozen=True)
+class SimEdge:
+    """A connection between two vertices, both ways."""
+
+    id: int
+    start: int
+    end: int
+
+
+@dataclass(frozen=True)
+class SimGraph:
+    """Vertices by id and the edges between them."""
+
+    vertices: Mapping[int, SimVertex]
+    edges: tuple[SimEdge, ...]
+
+    @cached_property
+    def _ways(self) -> Mapping[int, list[tuple[int, float]]]:
+        found: dict[int, list[tuple[int, float]]] = {id_: [] for id_ in self.vertices}
+        for edge in self.edges:
+            start, end = self.vertices[edge.start], self.vertices[edge.end]
+            length = math.dist((start.x, start.y), (end.x, end.y))
+            found[edge.start].append((edge.end, length))
+            found[edge.end].append((edge.start, length))
+        return found
+
+    def nearest(self, x: float, y: float) -> int:
+        """Return the id of the vertex nearest to a place."""
+        return min(self.vertices.values(), key=lambda one: math.dist((one.x, one.y), (x, y))).id
+
+    def path(self, start: int, end: int) -> tuple[int, ...]:
+        """Return the shortest path as vertex ids, both ends included; empty if none exists."""
+        return shortest_path(self._ways, start, end)
+
+
 @dataclass(frozen=True, eq=False)
 class SimFloor:
     """One floor: its occupancy, row 0 at the BOTTOM, and its graph with labels and wire types by id."""
@@ -50,6 +95,10 @@ class SimFloor:
     def vertex_of(self, type_: str) -> int:
         """The id of the first vertex of this wire type. Raises StopIteration if there is none."""
         return next(id_ for id_, other in self.types.items() if other == type_)
+
+    @property
+    def charger(self) -> SimVertex:
+        return self.graph.vertices[self.vertex_of("charger")]
 
     def has(self, type_: str) -> bool:
         """Tell whether a vertex has this wire type: a drawn graph may have none."""
@@ -77,7 +126,6 @@ class Building:
         return SimGraph(vertices, tuple(e for floor in self.floors for e in floor.graph.edges) + rides)
 
     def floor_of(self, vertex: int) -> SimFloor:
-        """The floor on which a vertex of this building lies."""
         return self._floor_by_vertex[vertex]
 
     @cached_property

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from fleet_tui.simulator.calls import Call
 from fleet_tui.simulator.frames import Frame
-from fleet_tui.simulator.oh_ressources.world import World
+from fleet_tui.simulator.oh_ressources.fleet import OhFleet
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.bench.rows import Row, row
 from tests.support.cli import config_file, started
@@ -32,7 +32,7 @@ async def importing() -> float:
 
 async def pausing(robots: int, folder: Path) -> float:
     """Seconds until the last robot's service was called."""
-    server = RosbridgeServer(World(robots=robots, floors=2, seed=1, quiet=True))
+    server = RosbridgeServer(OhFleet(robots=robots, floors=2, seed=1, quiet=True))
     called: list[float] = []
 
     def deliver(call: Call, frame: Frame) -> None:

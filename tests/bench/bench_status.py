@@ -11,7 +11,7 @@ from pathlib import Path
 
 from fleet_tui.simulator.calls import Call
 from fleet_tui.simulator.frames import Frame
-from fleet_tui.simulator.oh_ressources.world import World
+from fleet_tui.simulator.oh_ressources.fleet import OhFleet
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.bench.bench_pause import importing
 from tests.bench.rows import Row, row
@@ -24,7 +24,7 @@ RATIO = 2.0
 
 async def asking(folder: Path) -> tuple[float, float]:
     """Seconds until it asked its first question, and until it had answered ours."""
-    server = RosbridgeServer(World(robots=ROBOTS, floors=2, seed=1, quiet=True))
+    server = RosbridgeServer(OhFleet(robots=ROBOTS, floors=2, seed=1, quiet=True))
     asked: list[float] = []
 
     def deliver(call: Call, frame: Frame) -> None:

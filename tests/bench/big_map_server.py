@@ -12,8 +12,8 @@ import time
 import numpy as np
 
 from fleet_tui.simulator.frames import Compression, OutgoingFrame, Payload
-from fleet_tui.simulator.oh_ressources.world import World
-from fleet_tui.simulator.ros.ros1 import ROS1
+from fleet_tui.simulator.oh_ressources.fleet import OhFleet
+from fleet_tui.simulator.ros.dialect import ROS1
 from fleet_tui.simulator.server import RosbridgeServer
 
 SIDE = 4000
@@ -37,7 +37,7 @@ def big_map() -> dict[str, object]:
 
 
 async def serve(robots: int) -> None:
-    server = RosbridgeServer(World(robots, 1, seed=1))
+    server = RosbridgeServer(OhFleet(robots, 1, seed=1))
     publication = OutgoingFrame(TOPIC, Payload(big_map()))
     # Made beforehand: making them must not take from the console what is measured.
     frames = {kind: publication.frame(asked) for kind, asked in ASKED.items()}

@@ -10,7 +10,7 @@ from fleet_tui.model.graph import Edge, RouteGraph, Vertex
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.model.occupancy import grid_from_ros
 from fleet_tui.simulator.floorplan import HEIGHT, ORIGIN, RESOLUTION, WIDTH
-from fleet_tui.simulator.oh_ressources.world import World
+from fleet_tui.simulator.oh_ressources.fleet import OhFleet
 from fleet_tui.state.store import Store
 from fleet_tui.text.language import Message
 from tests.support.fleets import order, order_queue
@@ -24,7 +24,7 @@ class DrivenFleet:
     """`step` lets a tick of time pass and tells the store what robots would tell in it."""
 
     def __init__(self, robots: int) -> None:
-        self._world = World(robots, 1, seed=1)
+        self._world = OhFleet(robots, 1, seed=1)
         self.config = config_of("ws://site:9090", robots)
         self.store = Store(initial_state(self.config, time.monotonic()))
         self._ticks = 0

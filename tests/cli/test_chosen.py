@@ -13,7 +13,6 @@ from fleet_tui.config.schema import Config
 from fleet_tui.simulator.fleets import Fleet
 from fleet_tui.simulator.nav2.fleet import Nav2Fleet
 from fleet_tui.simulator.oh_ressources.fleet import OhFleet
-from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.ui.terminal.detect import IN_BROWSER
@@ -152,10 +151,7 @@ async def test_the_doctor_of_a_site_never_seen(server: RosbridgeServer, tmp_path
 async def test_robots_of_no_certain_kind_are_not_commanded_unseen(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    both: list[Fleet] = [
-        OhFleet(World(robots=1, floors=1, seed=1, quiet=True)),
-        Nav2Fleet(1, 1, seed=1, quiet=True),
-    ]
+    both: list[Fleet] = [OhFleet(robots=1, floors=1, seed=1, quiet=True), Nav2Fleet(1, 1, seed=1, quiet=True)]
     server = RosbridgeServer(both, dialect=ROS2)
     await server.start()
     done = await run(tmp_path, "pause", "robot_0", "--url", server.url)

@@ -15,7 +15,7 @@ from fleet_tui.config.schema import Config, Link
 from fleet_tui.console.demo import SIZE, demo_config, simulated, with_vehicles
 from fleet_tui.robots.oh_ressources.vocabulary import VOCABULARY
 from fleet_tui.simulator.kinds import KINDS
-from fleet_tui.simulator.oh_ressources.world import World
+from fleet_tui.simulator.oh_ressources.fleet import OhFleet
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.simulator.site import MIXED
@@ -95,7 +95,7 @@ async def test_it_speaks_the_dialect_and_runs_at_the_speed_that_is_asked_for(fas
 
 
 def test_the_demos_configuration_names_the_types_of_ros_2() -> None:
-    server = RosbridgeServer(World(1, 1), dialect=ROS2)
+    server = RosbridgeServer(OhFleet(1, 1), dialect=ROS2)
     names = names_of(demo_config(Config(path=Path("c.toml")), server.url, 1, 1, "2").profile)
     published = VOCABULARY.topics.keys() - {
         "goal",

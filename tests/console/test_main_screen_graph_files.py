@@ -8,8 +8,8 @@ import pytest
 from fleet_tui.config.entries import FloorEntry, RobotEntry
 from fleet_tui.config.schema import Config, Link
 from fleet_tui.robots.profile import Profile
+from fleet_tui.simulator.graph_files import write_graphs
 from fleet_tui.simulator.nav2.fleet import Nav2Fleet
-from fleet_tui.simulator.navigating.graph_file import write_graphs
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import console

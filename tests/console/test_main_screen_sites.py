@@ -5,7 +5,7 @@ from collections.abc import AsyncIterator
 import pytest
 
 from fleet_tui.config.schema import Link
-from fleet_tui.simulator.oh_ressources.world import World
+from fleet_tui.simulator.oh_ressources.fleet import OhFleet
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import console
 from tests.support.sites import config_of_sites
@@ -13,7 +13,7 @@ from tests.support.sites import config_of_sites
 
 @pytest.fixture
 async def north() -> AsyncIterator[RosbridgeServer]:
-    running = RosbridgeServer(World(robots=3, floors=1, quiet=True))
+    running = RosbridgeServer(OhFleet(robots=3, floors=1, quiet=True))
     await running.start()
     yield running
     await running.stop()
@@ -21,7 +21,7 @@ async def north() -> AsyncIterator[RosbridgeServer]:
 
 @pytest.fixture
 async def south() -> AsyncIterator[RosbridgeServer]:
-    running = RosbridgeServer(World(robots=2, floors=2, quiet=True))
+    running = RosbridgeServer(OhFleet(robots=2, floors=2, quiet=True))
     await running.start()
     yield running
     await running.stop()

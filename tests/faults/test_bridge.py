@@ -14,7 +14,7 @@ from fleet_tui.model.problem import Permissions
 from fleet_tui.model.request import Request
 from fleet_tui.robots.ros.reading import FrameReader, Read
 from fleet_tui.simulator.kinds import play
-from fleet_tui.simulator.oh_ressources.world import World
+from fleet_tui.simulator.oh_ressources.fleet import OhFleet
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.situation.links import LATE_FROM
 from fleet_tui.ui.view.tables.news import news
@@ -155,7 +155,7 @@ async def test_a_bridge_without_the_robots_messages(server: RosbridgeServer) -> 
 
 
 async def test_this_console_is_behind(monkeypatch: pytest.MonkeyPatch) -> None:
-    server = RosbridgeServer(World(robots=10, floors=1, seed=1, quiet=True))
+    server = RosbridgeServer(OhFleet(robots=10, floors=1, seed=1, quiet=True))
     await server.start()
     read, slowness = FrameReader.read, 0.0
 

@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 
 from fleet_tui.records.audit.reader import AuditReader
-from fleet_tui.simulator.ros_types import NodeDiedError
+from fleet_tui.simulator.ros.errors import NodeDiedError
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.cli import config_file, run_alone
 from tests.support.fault_report import report

@@ -10,7 +10,7 @@ from fleet_tui.config.schema import Config, Link
 from fleet_tui.model.commands import PauseRobot, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath, Phase
-from fleet_tui.simulator.oh_ressources.world import World
+from fleet_tui.simulator.oh_ressources.fleet import OhFleet
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.fault_proxy import before, mute
 from tests.support.fault_report import report
@@ -22,7 +22,7 @@ from tests.support.watched_store import config_of
 
 @pytest.fixture
 async def other() -> AsyncIterator[RosbridgeServer]:
-    running = RosbridgeServer(World(robots=2, floors=2, seed=2, quiet=True))
+    running = RosbridgeServer(OhFleet(robots=2, floors=2, seed=2, quiet=True))
     await running.start()
     yield running
     await running.stop()

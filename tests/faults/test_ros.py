@@ -12,7 +12,7 @@ from fleet_tui.model.commands import PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.simulator.kinds import play
-from fleet_tui.simulator.oh_ressources.world import World
+from fleet_tui.simulator.oh_ressources.fleet import OhFleet
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.fault_report import report
 from tests.support.fleets import place_order
@@ -35,20 +35,20 @@ def quick(url: str, robots: int) -> Config:
 
 
 async def test_rosbridge_restarted_with_other_robots() -> None:
-    first = RosbridgeServer(World(robots=3, floors=1, seed=1, quiet=True))
+    first = RosbridgeServer(OhFleet(robots=3, floors=1, seed=1, quiet=True))
     await first.start()
     port = int(first.url.rpartition(":")[2])
     async with linked(config_of(first.url, 3)) as (_, store):
         await store.until(ready)
         watch = Stopwatch(store)
         await first.stop()
-        second = RosbridgeServer(World(robots=1, floors=1, seed=2, quiet=True), port=port)
+        second = RosbridgeServer(OhFleet(robots=1, floors=1, seed=2, quiet=True), port=port)
         await second.start()
         noticed = await watch.until(
             lambda state: online(1)(state) and state.links["rosbridge"].phase is Phase.UP
         )
         await second.stop()
-        third = RosbridgeServer(World(robots=3, floors=1, seed=3, quiet=True), port=port)
+        third = RosbridgeServer(OhFleet(robots=3, floors=1, seed=3, quiet=True), port=port)
         await third.start()
         watch.start()
         healed = await watch.until(fresh(3))
@@ -173,7 +173,7 @@ async def test_the_master_is_gone(server: RosbridgeServer) -> None:
 
 
 async def test_a_hundred_robots_fall_silent_at_once() -> None:
-    server = RosbridgeServer(World(robots=100, floors=1, seed=1, quiet=True))
+    server = RosbridgeServer(OhFleet(robots=100, floors=1, seed=1, quiet=True))
     await server.start()
     async with linked(config_of(server.url, 100)) as (_, store):
         await store.until(lambda state: online(100)(state) and ready(state), within=HANGS)

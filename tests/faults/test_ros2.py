@@ -10,7 +10,7 @@ from fleet_tui.model.commands import PauseRobot, Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.simulator.faults import wire
 from fleet_tui.simulator.kinds import play
-from fleet_tui.simulator.oh_ressources.world import World
+from fleet_tui.simulator.oh_ressources.fleet import OhFleet
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.bridge_faults import all_online, raised
@@ -26,7 +26,7 @@ from tests.support.shown_text import shown
 @pytest.fixture
 async def server() -> AsyncIterator[RosbridgeServer]:
     """Two quiet robots behind a bridge of ROS 2."""
-    running = RosbridgeServer(World(robots=2, floors=1, seed=1, quiet=True), dialect=ROS2)
+    running = RosbridgeServer(OhFleet(robots=2, floors=1, seed=1, quiet=True), dialect=ROS2)
     await running.start()
     yield running
     await running.stop()

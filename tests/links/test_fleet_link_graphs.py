@@ -10,7 +10,7 @@ from fleet_tui.links.fleet_link import FleetLink
 from fleet_tui.model.commands import Stage
 from fleet_tui.model.graph import Edge, Vertex
 from fleet_tui.model.set_up.commands import SendGraph
-from fleet_tui.simulator.oh_ressources.profile import profile
+from fleet_tui.simulator.kinds import KINDS
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.fleets import F0, R0, place_order
 from tests.support.links import finished, linked, ready
@@ -23,7 +23,7 @@ EDGES = Edge("1", "90", "91"), Edge("2", "91", "92")
 async def console(server: RosbridgeServer, **topics: str) -> AsyncIterator[tuple[FleetLink, WatchedStore]]:
     """A console whose profile names the topics of graphs."""
     config = config_of(server.url)
-    named = replace(config.profile, topics={**profile(1)["topics"], **topics})
+    named = replace(config.profile, topics={**KINDS["oh_ressources"].profile(1)["topics"], **topics})
     alarms = replace(config.alarms, not_confirmed_after=0.5)
     async with linked(replace(config, profile=named, alarms=alarms)) as (link, store):
         await store.until(ready)

@@ -13,8 +13,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.set_up.commands import CancelGoal, SendGoal, SetMapping, SetPose, SetUpCommand
 from fleet_tui.model.set_up.streams import Beams, PlannedPath
-from fleet_tui.simulator.kinds import play
-from fleet_tui.simulator.oh_ressources.profile import profile
+from fleet_tui.simulator.kinds import KINDS, play
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.ui.view.set_up.scan_match import scan_match
 from tests.support.links import finished, linked
@@ -116,7 +115,7 @@ async def test_nothing_is_published_where_nobody_listens(slow_site: Site) -> Non
 async def told(server: RosbridgeServer, command: SetUpCommand) -> tuple[Stage, WatchedStore]:
     """The end of a command to one of the source's robots whose profile names everything."""
     config = config_of(server.url)
-    names = profile(1)
+    names = KINDS["oh_ressources"].profile(1)
     named = replace(config.profile, topics=dict(names["topics"]), services=dict(names["services"]))
     async with linked(replace(config, profile=named)) as (link, store):
         link.show_map(R0, F0)

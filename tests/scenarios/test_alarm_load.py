@@ -16,8 +16,7 @@ from fleet_tui.model.events import LinkChanged, MessageArrived, TimePassed
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import Phase
 from fleet_tui.simulator.oh_ressources.fleet import OhFleet
-from fleet_tui.simulator.oh_ressources.world import World
-from fleet_tui.simulator.ros.ros1 import ROS1
+from fleet_tui.simulator.ros.dialect import ROS1
 from fleet_tui.state.store import Store
 
 pytestmark = pytest.mark.nightly
@@ -26,9 +25,9 @@ TICK = 0.5
 """Seconds between two looks at the fleet: pose, queue and the rest come that often."""
 
 
-def raised(world: World, minutes: float, folder: Path) -> tuple[Counter[Key], Store]:
+def raised(world: OhFleet, minutes: float, folder: Path) -> tuple[Counter[Key], Store]:
     """Every alarm of so many minutes of a world's time, through adapter and reducer, without a network."""
-    fleet = OhFleet(world)
+    fleet = world
     floors = len(world.building.floors)
     config = demo_config(Config(), "ws://nowhere:1", len(world.robots), floors, folder=folder)
     adapters, topics = adapters_of(config), {topic.name: topic for topic in fleet.topics(0.0, ROS1)}
@@ -62,12 +61,12 @@ def raised(world: World, minutes: float, folder: Path) -> tuple[Counter[Key], St
 
 @pytest.mark.parametrize("seed", [0, 1])
 def test_a_fleet_without_faults_raises_hardly_any_alarm(seed: int, tmp_path: Path) -> None:
-    found, _ = raised(World(robots=12, floors=2, seed=seed), 30, tmp_path)
+    found, _ = raised(OhFleet(robots=12, floors=2, seed=seed), 30, tmp_path)
     assert found.total() <= 3, found
 
 
 def test_one_stuck_robot_is_the_one_alarm(tmp_path: Path) -> None:
-    world = World(robots=12, floors=2, seed=0)
+    world = OhFleet(robots=12, floors=2, seed=0)
     world.robots["robot_4"].stuck = True
     found, store = raised(world, 6, tmp_path)
     assert list(found) == [("robot_4", "stuck")]

@@ -2,7 +2,7 @@
 
 from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState
-from fleet_tui.simulator.oh_ressources.world import World
+from fleet_tui.simulator.oh_ressources.fleet import OhFleet
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import console
 from tests.support.ordering import place
@@ -60,7 +60,7 @@ async def test_a_pause_whose_answer_was_lost(server: RosbridgeServer) -> None:
 
 async def test_the_server_comes_back_with_nothing_in_its_memory() -> None:
     """An order was under way when it went down: it is not there, and not sent again."""
-    first = RosbridgeServer(World(robots=1, floors=1, seed=1, quiet=True))
+    first = RosbridgeServer(OhFleet(robots=1, floors=1, seed=1, quiet=True))
     await first.start()
     plant(first, "never")
     async with console(hasty(first.url, 1.5)) as it:
@@ -76,7 +76,7 @@ async def test_the_server_comes_back_with_nothing_in_its_memory() -> None:
         await it.shows("not sent: robot_0 is unreachable", "message")
         assert len(it.store.state.commands) == 1
         second = RosbridgeServer(
-            World(robots=1, floors=1, seed=1, quiet=True), port=int(first.url.rpartition(":")[2])
+            OhFleet(robots=1, floors=1, seed=1, quiet=True), port=int(first.url.rpartition(":")[2])
         )
         await second.start()
         await ended(it)

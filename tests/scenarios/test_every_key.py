@@ -9,7 +9,7 @@ from msgspec.structs import replace
 from fleet_tui.console.app import FleetApp
 from fleet_tui.keys import Pane
 from fleet_tui.model.history.facts import Activity, Span
-from fleet_tui.simulator.oh_ressources.world import World
+from fleet_tui.simulator.oh_ressources.fleet import OhFleet
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.ui.controllers.files import ConsoleFiles
 from tests.support.console_pilot import Console, console
@@ -126,7 +126,7 @@ async def test_every_key_of_the_console_the_map_and_the_tables(monkeypatch: pyte
     called: list[str] = []
     for name in ("exit", "action_suspend_process", "action_repaint"):
         monkeypatch.setattr(FleetApp, name, lambda _app, *_, name=name: called.append(name))
-    server = RosbridgeServer(World(robots=ROBOTS, floors=2, seed=1, quiet=True))
+    server = RosbridgeServer(OhFleet(robots=ROBOTS, floors=2, seed=1, quiet=True))
     await server.start()
     plant(server, "battery:robot_1,battery:robot_2")
     try:

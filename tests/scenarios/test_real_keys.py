@@ -9,7 +9,7 @@ from itertools import product
 
 import pytest
 
-from fleet_tui.simulator.messages import graph_of, labels_of
+from fleet_tui.simulator.oh_ressources.messages import graph_of, labels_of
 from fleet_tui.simulator.robot import SimRobot
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.ui.terminal.typing import GAP, STANDSTILL

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from fleet_tui.simulator.oh_ressources.world import World
+from fleet_tui.simulator.oh_ressources.fleet import OhFleet
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.cli import asked, config_file
 from tests.support.in_pty import Terminal
@@ -28,7 +28,7 @@ end
 @pytest.fixture
 async def fast() -> AsyncIterator[RosbridgeServer]:
     """Two quiet robots whose time runs ten times as fast."""
-    running = RosbridgeServer(World(robots=2, floors=1, seed=1, quiet=True), speed=10.0)
+    running = RosbridgeServer(OhFleet(robots=2, floors=1, seed=1, quiet=True), speed=10.0)
     await running.start()
     yield running
     await running.stop()

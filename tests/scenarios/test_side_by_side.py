@@ -9,7 +9,7 @@ from fleet_tui.config.schema import Config
 from fleet_tui.model.commands import PauseRobot, PlaceOrder
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.order import at_vertices
-from fleet_tui.simulator.oh_ressources.world import World
+from fleet_tui.simulator.oh_ressources.fleet import OhFleet
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.ui.view.tables.fleet import fleet_table
 from tests.support.broker import broker_in
@@ -58,7 +58,7 @@ def is_driven(state: FleetState) -> bool:
 @asynccontextmanager
 async def three_kinds(folder: Path) -> AsyncIterator[tuple[Config, Hospital, SpokenFor, Holds]]:
     """A site of each kind: the configuration of all, the hospital, the vehicle, and whether all are known."""
-    hall = RosbridgeServer(World(1, 1, quiet=True))
+    hall = RosbridgeServer(OhFleet(1, 1, quiet=True))
     await hall.start()
     try:
         with broker_in(folder) as broker:

@@ -5,7 +5,7 @@ from collections.abc import AsyncIterator
 import pytest
 from websockets.asyncio.client import ClientConnection, connect
 
-from fleet_tui.simulator.oh_ressources.world import World
+from fleet_tui.simulator.oh_ressources.fleet import OhFleet
 from fleet_tui.simulator.robot import SimRobot
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
@@ -13,13 +13,13 @@ from tests.support.nav2_site import LONG_AGO
 
 
 @pytest.fixture
-def world() -> World:
+def world() -> OhFleet:
     """One quiet robot on two floors."""
-    return World(1, 2, seed=3, quiet=True)
+    return OhFleet(1, 2, seed=3, quiet=True)
 
 
 @pytest.fixture
-def robot(world: World) -> SimRobot:
+def robot(world: OhFleet) -> SimRobot:
     """The robot of that world."""
     return world.robots["robot_0"]
 
@@ -27,7 +27,7 @@ def robot(world: World) -> SimRobot:
 @pytest.fixture
 async def server() -> AsyncIterator[RosbridgeServer]:
     """Two quiet simulated robots on two floors, at 50 Hz."""
-    server = RosbridgeServer(World(2, 2, seed=1, quiet=True), rate=50.0)
+    server = RosbridgeServer(OhFleet(2, 2, seed=1, quiet=True), rate=50.0)
     await server.start()
     yield server
     await server.stop()
@@ -36,7 +36,7 @@ async def server() -> AsyncIterator[RosbridgeServer]:
 @pytest.fixture
 async def three() -> AsyncIterator[RosbridgeServer]:
     """Three quiet simulated robots on two floors, at 20 Hz."""
-    server = RosbridgeServer(World(3, 2, seed=1, quiet=True), rate=20.0)
+    server = RosbridgeServer(OhFleet(3, 2, seed=1, quiet=True), rate=20.0)
     await server.start()
     yield server
     await server.stop()
@@ -45,7 +45,7 @@ async def three() -> AsyncIterator[RosbridgeServer]:
 @pytest.fixture
 async def ros2_server() -> AsyncIterator[RosbridgeServer]:
     """Three quiet simulated robots behind a bridge on ROS 2 that has discovered every publisher."""
-    server = RosbridgeServer(World(3, 2, seed=1, quiet=True), rate=20.0, dialect=ROS2)
+    server = RosbridgeServer(OhFleet(3, 2, seed=1, quiet=True), rate=20.0, dialect=ROS2)
     await server.start()
     server.bridge.started -= LONG_AGO
     yield server

@@ -10,8 +10,8 @@ import pytest
 from fleet_tui.model.geometry import Pose
 from fleet_tui.simulator.actions import ActionDesk
 from fleet_tui.simulator.frames import Frame
+from fleet_tui.simulator.messages import stamped
 from fleet_tui.simulator.nav2.fleet import Nav2Fleet
-from fleet_tui.simulator.navigating.poses import stamped
 from fleet_tui.simulator.ros.errors import BridgeError
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.sessions.client import Client

@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 from fleet_tui.simulator.floorplan import FREE, HEIGHT, OCCUPIED, ORIGIN, RESOLUTION, UNKNOWN, WIDTH
-from fleet_tui.simulator.graph import SimEdge
-from fleet_tui.simulator.warehouse import SimFloor, build_floor
+from fleet_tui.simulator.warehouse import SimEdge, SimFloor, build_floor
 
 CLEARANCE = 0.3  # metres
 

@@ -1,6 +1,6 @@
 """The simulator's own route graph: the shortest way, both ways along each edge."""
 
-from fleet_tui.simulator.graph import SimEdge, SimGraph, SimVertex
+from fleet_tui.simulator.warehouse import SimEdge, SimGraph, SimVertex
 
 SPOTS = {1: (0.0, 0.0), 2: (1.0, 0.0), 3: (1.0, 1.0), 4: (9.0, 9.0)}
 GRAPH = SimGraph(

@@ -6,7 +6,7 @@ import pytest
 from websockets.asyncio.client import ClientConnection, connect
 from websockets.exceptions import ConnectionClosed
 
-from fleet_tui.simulator.ros_types import ServiceError
+from fleet_tui.simulator.ros.errors import ServiceError
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.text.errors import FleetError
 from tests.support.bridge_client import Json, call, frames_before_an_answer, read, read_until, send, subscribe

@@ -6,7 +6,7 @@ import cbor2
 from rosbags.typesys import Stores, get_typestore
 from websockets.asyncio.client import ClientConnection, connect
 
-from fleet_tui.simulator.oh_ressources.world import World
+from fleet_tui.simulator.oh_ressources.fleet import OhFleet
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.bridge_client import read, send
 
@@ -33,7 +33,7 @@ async def test_cbor_raw_carries_the_map_as_ros_encodes_it(client: ClientConnecti
 
 
 async def test_the_world_runs_faster_and_the_wire_does_not() -> None:
-    server = RosbridgeServer(World(1, 1, seed=1, quiet=True), rate=20.0, speed=30.0)
+    server = RosbridgeServer(OhFleet(1, 1, seed=1, quiet=True), rate=20.0, speed=30.0)
     robot = server.world.robots["robot_0"]
     robot.take(19, 0, request_id=1)
     await server.start()

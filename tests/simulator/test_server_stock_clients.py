@@ -10,9 +10,8 @@ from typing import Any
 
 import pytest
 
-from fleet_tui.simulator.oh_ressources.world import World
-from fleet_tui.simulator.ros.dialect import Dialect
-from fleet_tui.simulator.ros.ros1 import ROS1
+from fleet_tui.simulator.oh_ressources.fleet import OhFleet
+from fleet_tui.simulator.ros.dialect import ROS1, Dialect
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.polling import HANGS
@@ -63,7 +62,7 @@ def messages(dialect: Dialect) -> dict[str, Json]:
 
 async def asked_by(client: list[str], dialect: Dialect) -> Json:
     """The messages of a stock client, as its program prints them."""
-    server = RosbridgeServer(World(3, 2, seed=1, quiet=True), rate=20.0, dialect=dialect)
+    server = RosbridgeServer(OhFleet(3, 2, seed=1, quiet=True), rate=20.0, dialect=dialect)
     await server.start()
     server.bridge.started -= 10.0
     message, service = dialect.message_type, dialect.service_type

@@ -18,7 +18,7 @@ from fleet_tui.console.demo import demo_config
 from fleet_tui.simulator.faults import parse_faults_of
 from fleet_tui.simulator.fleets import Fleet
 from fleet_tui.simulator.kinds import KINDS
-from fleet_tui.simulator.ros.ros1 import ROS1
+from fleet_tui.simulator.ros.dialect import ROS1
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.simulator.site import MIXED, Crew, SitedBridge, faults_of, site_of
 from fleet_tui.text.errors import ConfigError

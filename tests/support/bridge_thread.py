@@ -5,7 +5,7 @@ import threading
 from collections.abc import Callable, Coroutine
 from typing import Any, TypeVar
 
-from fleet_tui.simulator.oh_ressources.world import World
+from fleet_tui.simulator.oh_ressources.fleet import OhFleet
 from fleet_tui.simulator.robot import SimRobot
 from fleet_tui.simulator.server import RosbridgeServer
 
@@ -18,7 +18,7 @@ class BridgeThread:
     def __init__(self, robots: int = 2) -> None:
         self._loop = asyncio.new_event_loop()
         threading.Thread(target=self._loop.run_forever, daemon=True).start()
-        self.server = RosbridgeServer(World(robots=robots, floors=2, seed=1, quiet=True))
+        self.server = RosbridgeServer(OhFleet(robots=robots, floors=2, seed=1, quiet=True))
         self._run(self.server.start())
 
     def _run(self, work: Coroutine[Any, Any, Result]) -> Result:

@@ -11,8 +11,8 @@ from typing import Any
 
 from fleet_tui.simulator.frames import Payload
 from fleet_tui.simulator.messages import Topic
-from fleet_tui.simulator.oh_ressources.world import World
-from fleet_tui.simulator.ros_types import ServiceError
+from fleet_tui.simulator.oh_ressources.fleet import OhFleet
+from fleet_tui.simulator.ros.errors import ServiceError
 from fleet_tui.simulator.server import RosbridgeServer
 
 CLIPBOARD = "\x1b]52;c;aGFja2Vk\x07"
@@ -119,7 +119,7 @@ def _frames(text: str) -> list[str | bytes]:
 
 
 async def _serve() -> None:
-    server = RosbridgeServer(World(ROBOTS, 2, seed=3))
+    server = RosbridgeServer(OhFleet(ROBOTS, 2, seed=3))
     spoil(server)
     await server.start()
     print(server.url, flush=True)

@@ -11,9 +11,8 @@ from fleet_tui.simulator.kinds import KINDS
 from fleet_tui.simulator.move_base.fleet import MoveBaseFleet
 from fleet_tui.simulator.nav2.fleet import Nav2Fleet
 from fleet_tui.simulator.oh_ressources.fleet import OhFleet
-from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.rmf.fleet import RmfFleet
-from fleet_tui.simulator.ros.ros1 import ROS1
+from fleet_tui.simulator.ros.dialect import ROS1
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.simulator.site import MIXED
@@ -34,7 +33,7 @@ class MixedSite:
 async def mixed_site(folder: Path) -> AsyncIterator[MixedSite]:
     """Run a site; the graph file is in the folder."""
     fleets: list[Fleet] = [
-        OhFleet(World(1, 1, seed=1, quiet=True)),
+        OhFleet(1, 1, seed=1, quiet=True),
         MoveBaseFleet(1, 1, seed=1, quiet=True, first=1),
         Nav2Fleet(1, 1, seed=1, quiet=True, first=2),
         RmfFleet(1, 1, seed=1, quiet=True, first=3, period=0.1),

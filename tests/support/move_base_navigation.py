@@ -3,16 +3,17 @@
 from typing import Any
 
 from fleet_tui.model.geometry import Pose
-from fleet_tui.simulator.move_base.navigation import MoveBaseWorld, SimMoveBase
-from fleet_tui.simulator.navigating.poses import solid
+from fleet_tui.simulator.messages import solid
+from fleet_tui.simulator.move_base.navigation import SimMoveBase
+from fleet_tui.simulator.navigating.world import NavigatingWorld
 from fleet_tui.simulator.ros.actionlib import GoalReport
 
 FAR, NEAR = (35.0, 20.0), (8.0, 0.0)
 Json = dict[str, Any]
 
 
-def world() -> tuple[MoveBaseWorld, SimMoveBase]:
-    it = MoveBaseWorld(1, 1, seed=1, quiet=True)
+def world() -> tuple[NavigatingWorld[SimMoveBase], SimMoveBase]:
+    it = NavigatingWorld(SimMoveBase, 1, 1, seed=1, quiet=True)
     it.step(1.0)
     return it, it.navigation["robot_0"]
 
@@ -37,7 +38,7 @@ def results(navigation: SimMoveBase) -> list[tuple[str, int, str]]:
     return found
 
 
-def finish(it: MoveBaseWorld, navigation: SimMoveBase, limit: float = 300.0) -> None:
+def finish(it: NavigatingWorld[SimMoveBase], navigation: SimMoveBase, limit: float = 300.0) -> None:
     end = it.time + limit
     while navigation.busy:
         it.step(0.1)

@@ -10,9 +10,9 @@ from fleet_tui.config.schema import Config, Link
 from fleet_tui.model.commands import PlaceOrder
 from fleet_tui.model.order import at_vertices
 from fleet_tui.robots.profile import Profile
+from fleet_tui.simulator.graph_files import write_graphs
 from fleet_tui.simulator.move_base.fleet import MoveBaseFleet
 from fleet_tui.simulator.move_base.navigation import SimMoveBase
-from fleet_tui.simulator.navigating.graph_file import write_graphs
 from fleet_tui.simulator.ros import actionlib
 from fleet_tui.simulator.server import RosbridgeServer
 

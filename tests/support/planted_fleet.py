@@ -18,8 +18,8 @@ from fleet_tui.robots.adapter import ServiceCall
 from fleet_tui.robots.profile import Profile
 from fleet_tui.simulator.faults import parse_faults
 from fleet_tui.simulator.kinds import play
-from fleet_tui.simulator.messages import topics_of
-from fleet_tui.simulator.oh_ressources.world import World
+from fleet_tui.simulator.oh_ressources.fleet import OhFleet
+from fleet_tui.simulator.oh_ressources.messages import topics_of
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.state.store import Store
 from tests.support.fleets import LINK, R0, T0, WALL, link_up
@@ -48,7 +48,7 @@ class Planted:
         config = config or config_of("ws://site:9090", robots, 1)
         if not tells_pause:
             config = msgspec.structs.replace(config, profile=Profile())
-        self.world = World(len(config.robots), len(config.floors), seed=1, quiet=quiet)
+        self.world = OhFleet(len(config.robots), len(config.floors), seed=1, quiet=quiet)
         self.server = RosbridgeServer(self.world)
         self.store = store or Store(initial_state(config, at))
         self._adapters = adapters_of(config)

@@ -21,7 +21,8 @@ from fleet_tui.simulator.frames import Payload
 from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.nav2.faults import FAULTS
 from fleet_tui.simulator.navigating.faults import navigation_of
-from fleet_tui.simulator.ros_types import ServiceError, ServiceType
+from fleet_tui.simulator.ros.errors import ServiceError
+from fleet_tui.simulator.ros.filling import ServiceType
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.certificates import sign
 

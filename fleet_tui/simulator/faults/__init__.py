@@ -3,10 +3,8 @@
 from collections.abc import Iterable, Mapping
 
 from fleet_tui.simulator.faults import camera, hand, wire, world
+from fleet_tui.simulator.faults.plays import FLAT, Faults, battery, having, obstacle, robot_of
 from fleet_tui.text.errors import ConfigError, did_you_mean
-
-Faults = Mapping[str, tuple[str, wire.Play]]
-"""Faults by name: the help text, and the function that applies the fault to a robot."""
 
 FAULTS: Faults = {
     "refuse": ("all orders are refused", wire.refuse),
@@ -36,8 +34,8 @@ FAULTS: Faults = {
         f"maps, graphs and labels not latched, sent every {wire.AGAIN:g} s",
         wire.volatile_maps,
     ),
-    "unsourced": ("the bridge lacks the package of the robots' messages", wire.unsourced),
-    "stale": ("no pose, everything else is sent", wire.stale),
+    "unsourced": ("the bridge lacks the package of the robots' messages", wire.unsourced("OH_ressources")),
+    "stale": ("no pose, everything else is sent", wire.without("pose")),
     "restart": (
         f"{world.LIVES:g} s after its first order it restarts: no orders, ids from 0, no pause",
         world.restart,
@@ -50,11 +48,11 @@ FAULTS: Faults = {
         f"another console pauses it {world.FOREIGN:g} s after its first order, for {world.FOREIGN_PAUSE:g} s",
         world.foreign_pause,
     ),
-    "obstacle": ("permanent obstacle", world.obstacle),
-    "stuck": ("has orders but does not move", world.stuck),
-    "silent": ("sends nothing", world.silent),
-    "paused": ("paused from the start", world.paused),
-    "battery": (f"battery never above {world.FLAT:g} %", world.battery),
+    "obstacle": ("permanent obstacle", obstacle),
+    "stuck": ("has orders but does not move", having(robot_of, stuck=True)),
+    "silent": ("sends nothing", having(robot_of, silence=float("inf"))),
+    "paused": ("paused from the start", having(robot_of, paused=True)),
+    "battery": (f"battery never above {FLAT:g} %", battery),
     "mislocalised": ("believes to be 4 m away and turned, until its pose is set", world.mislocalised),
     **hand.FAULTS,
     "jumping": (f"pose jumps by {world.JUMP:g} m, does not drive", world.jumping),

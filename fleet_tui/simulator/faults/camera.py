@@ -6,6 +6,8 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from fleet_tui.simulator.faults.plays import Faults, every
+
 if TYPE_CHECKING:
     # The command line lists the faults: it must not wait for the server to be imported.
     from fleet_tui.simulator.frames import Payload
@@ -35,7 +37,6 @@ def _changed(server: "RosbridgeServer", robot: str, change: Callable[[bytes], by
 
 
 def truncated(server: "RosbridgeServer", robot: str) -> None:
-    """Send the first half of each picture."""
     _changed(server, robot, lambda data: data[: len(data) // 2])
 
 
@@ -49,21 +50,11 @@ def huge(server: "RosbridgeServer", robot: str) -> None:
 
 
 def stops(server: "RosbridgeServer", robot: str) -> None:
-    """Send no more pictures after a while."""
-    age = 0.0
-
-    def step(dt: float) -> None:
-        nonlocal age
-        age += dt / server.speed
-        if age > STOPS:
-            server.bridge.muted.add(_name(robot))
-
-    server.bridge.services.fleet_of(robot).troubles.append(step)
+    every(server, robot, STOPS, lambda: server.bridge.muted.add(_name(robot)))
 
 
-FAULTS = {
+FAULTS: Faults = {
     "camera-truncated": ("the camera sends half pictures", truncated),
     "camera-huge": ("the camera's pictures claim to have almost a billion pixels", huge),
     "camera-stops": (f"the camera stops after {STOPS:g} s", stops),
 }
-"""The faults by name: the help text, and the function that applies the fault to a robot."""

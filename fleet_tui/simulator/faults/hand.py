@@ -3,7 +3,7 @@
 import math
 from typing import TYPE_CHECKING, Any
 
-from fleet_tui.simulator.faults.wire import Play
+from fleet_tui.simulator.faults.plays import Faults, each_step, robot_of
 from fleet_tui.simulator.senses.wheels import TIMEOUT, TOPIC, Wheels
 
 if TYPE_CHECKING:
@@ -19,44 +19,41 @@ FOREIGN: dict[str, Any] = {
 }
 
 
-def _wheels(server: "RosbridgeServer", robot: str) -> Wheels:
-    return server.bridge.services.fleet_of(robot).robots[robot].wheels
-
-
 def no_timeout(server: "RosbridgeServer", robot: str) -> None:
     """Let the robot follow its last twist for ever."""
-    _wheels(server, robot).timeout = math.inf
+    robot_of(server, robot).wheels.timeout = math.inf
 
 
 def foreign_drive(server: "RosbridgeServer", robot: str) -> None:
     """Publish twists as another client would, once the robot is driven by hand."""
     from fleet_tui.simulator.frames import Payload
 
-    wheels, topic, due = _wheels(server, robot), f"/{robot}/{TOPIC}", EVERY
+    wheels: Wheels = robot_of(server, robot).wheels
+    topic, due = f"/{robot}/{TOPIC}", EVERY
 
-    def step(dt: float) -> None:
+    def step(passed: float) -> None:
         nonlocal due
-        due -= dt / server.speed
+        due -= passed
         if wheels.driven >= DRIVEN and due <= 0.0 and topic in server.bridge.topics:
             due = EVERY
             server.bridge.publish(topic, Payload(FOREIGN))
             wheels.take(FOREIGN)
 
-    server.bridge.services.fleet_of(robot).troubles.append(step)
+    each_step(server, robot, step)
 
 
 def lag(server: "RosbridgeServer", robot: str) -> None:
     """Let the bridge lag once the robot is driven by hand."""
-    wheels, services = _wheels(server, robot), server.bridge.services
+    wheels: Wheels = robot_of(server, robot).wheels
 
-    def step(_dt: float) -> None:
+    def step(_passed: float) -> None:
         if wheels.driven >= DRIVEN:
-            services.lag = LAG
+            server.bridge.services.lag = LAG
 
-    services.fleet_of(robot).troubles.append(step)
+    each_step(server, robot, step)
 
 
-FAULTS: dict[str, tuple[str, Play]] = {
+FAULTS: Faults = {
     "no-timeout": (
         f"driven by hand it follows the last twist for ever, instead of {TIMEOUT:g} s",
         no_timeout,
@@ -64,4 +61,3 @@ FAULTS: dict[str, tuple[str, Play]] = {
     "foreign-drive": (f"another client drives, too, {DRIVEN:g} s after a hand", foreign_drive),
     "lag": (f"{DRIVEN:g} s after a hand all that the bridge sends is {LAG:g} s late", lag),
 }
-"""The same for robots of every kind."""

@@ -7,7 +7,8 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from fleet_tui.simulator.ros_types import HandlerError, NodeDiedError
+from fleet_tui.simulator.faults.plays import Play, every
+from fleet_tui.simulator.ros.errors import HandlerError, NodeDiedError
 
 if TYPE_CHECKING:
     # The command line lists the faults: it must not wait for the server to be imported.
@@ -15,7 +16,6 @@ if TYPE_CHECKING:
     from fleet_tui.simulator.frames import Frame
     from fleet_tui.simulator.server import RosbridgeServer
 
-Play = Callable[["RosbridgeServer", str], None]
 Values = dict[str, Any]
 
 ORDERS = "Execute_order"
@@ -91,6 +91,10 @@ def _late(_server: "RosbridgeServer", call: "Call", frame: "Frame") -> None:
     call.reply_in(LATE, frame)
 
 
+def _slow(_server: "RosbridgeServer", call: "Call", frame: "Frame") -> None:
+    call.reply_in(SLOW, frame)
+
+
 def _twice(_server: "RosbridgeServer", call: "Call", frame: "Frame") -> None:
     call.reply(frame)
     call.reply(frame)
@@ -105,79 +109,66 @@ def _drop(server: "RosbridgeServer", _call: "Call", _frame: "Frame") -> None:
     server.abort_clients()
 
 
-def _slow(_server: "RosbridgeServer", call: "Call", frame: "Frame") -> None:
-    call.reply_in(SLOW, frame)
-
-
 late, slow_answer, twice, wrong_id, drop = map(_delivered, (_late, _slow, _twice, _wrong_id, _drop))
 
 
-def stale(server: "RosbridgeServer", robot: str) -> None:
-    """Stop publishing the pose."""
-    server.bridge.muted.add(f"/{robot}/pose")
+def without(topic: str) -> Play:
+    """Return a fault that a robot does not publish a topic."""
+    return lambda server, robot: server.bridge.muted.add(f"/{robot}/{topic}")
+
+
+def _lose_services(server: "RosbridgeServer", robot: str) -> None:
+    for service in _services(server, robot):
+        del server.bridge.services.offered[service]
 
 
 def unregistered(server: "RosbridgeServer", robot: str) -> None:
     """Lose the services, as after a restart of the ROS master; telemetry flows on."""
-    age = 0.0
-
-    def step(dt: float) -> None:
-        nonlocal age
-        age += dt / server.speed
-        if age > GONE:
-            for service in _services(server, robot):
-                del server.bridge.services.offered[service]
-
-    server.bridge.services.fleet_of(robot).troubles.append(step)
+    every(server, robot, GONE, lambda: _lose_services(server, robot))
 
 
-def topics_glob(server: "RosbridgeServer", robot: str) -> None:
-    """Allow clients no topic of a robot."""
-    others = [f"/{name}/*" for name in server.bridge.services.robots if name != robot]
-    server.bridge.allowed["topic"] = ("/rosout", "/diagnostics", *others)
+def _disallowed(what: str, *allowed: str) -> Play:
+    """Return a fault that clients may use no `topic`, `service` or `action` of a robot."""
+
+    def play(server: "RosbridgeServer", robot: str) -> None:
+        others = [f"/{name}/*" for name in server.bridge.services.robots if name != robot]
+        server.bridge.allowed[what] = (*allowed, *others)
+
+    return play
 
 
-def services_glob(server: "RosbridgeServer", robot: str) -> None:
-    """Allow clients no service of a robot."""
-    others = [f"/{name}/*" for name in server.bridge.services.robots if name != robot]
-    server.bridge.allowed["service"] = ("/rosapi/*", *others)
-
-
-def actions_glob(server: "RosbridgeServer", robot: str) -> None:
-    """Allow clients no action of a robot."""
-    others = [f"/{name}/*" for name in server.bridge.services.robots if name != robot]
-    server.bridge.allowed["action"] = others
+topics_glob = _disallowed("topic", "/rosout", "/diagnostics")
+services_glob = _disallowed("service", "/rosapi/*")
+actions_glob = _disallowed("action")
 
 
 def lost_master(server: "RosbridgeServer", robot: str) -> None:
     """Restart the ROS master without rosapi: no service is known any more, not even the bridge's own."""
-    services = server.bridge.services
-    services.rosapi_alive = False
-    services.answers.clear()
-    for service in _services(server, robot):
-        del services.offered[service]
+    dead_rosapi(server, robot)
+    server.bridge.services.answers.clear()
+    _lose_services(server, robot)
 
 
 def frozen_rosapi(server: "RosbridgeServer", _robot: str) -> None:
-    """Freeze rosapi's node."""
     server.bridge.services.silent_services.update(server.bridge.services.rosapi.services)
 
 
-def unsourced(server: "RosbridgeServer", _robot: str) -> None:
-    """Run the bridge without the package of the robots' messages."""
-    package = server.bridge.dialect.short(
-        server.bridge.dialect.message_type("OH_ressources/Graph")
-    ).partition("/")[0]
-    server.bridge.services.unsourced.add(package)
+def unsourced(*packages: str) -> Play:
+    """Return a fault that the bridge lacks packages of messages."""
+
+    def play(server: "RosbridgeServer", _robot: str) -> None:
+        dialect = server.bridge.dialect
+        names = [dialect.short(dialect.message_type(f"{package}/Any")) for package in packages]
+        server.bridge.services.unsourced.update(name.partition("/")[0] for name in names)
+
+    return play
 
 
 def overloaded(server: "RosbridgeServer", _robot: str) -> None:
-    """Limit the bridge's throughput, so that messages arrive later and later."""
     server.bridge.services.capacity = CARRIED
 
 
 def dead_rosapi(server: "RosbridgeServer", _robot: str) -> None:
-    """End rosapi's node."""
     server.bridge.services.rosapi_alive = False
 
 
@@ -203,16 +194,11 @@ def volatile_pose(server: "RosbridgeServer", robot: str) -> None:
 
 def _repeat(server: "RosbridgeServer", robot: str, names: list[str]) -> None:
     server.bridge.topics |= {name: replace(server.bridge.topics[name], latched=False) for name in names}
-    age = 0.0
 
-    def step(dt: float) -> None:
-        nonlocal age
-        age += dt / server.speed
-        if age > AGAIN:
-            age = 0.0
-            for name in names:
-                kept = server.bridge.topics[name].history
-                for payload in (None,) if kept is None else kept():
-                    server.bridge.publish(name, payload)
+    def publish() -> None:
+        for name in names:
+            kept = server.bridge.topics[name].history
+            for payload in (None,) if kept is None else kept():
+                server.bridge.publish(name, payload)
 
-    server.bridge.services.fleet_of(robot).troubles.append(step)
+    every(server, robot, AGAIN, publish)

@@ -6,8 +6,9 @@ from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from fleet_tui.simulator.faults import FAULTS as OF_ALL
-from fleet_tui.simulator.faults import Faults, wire
-from fleet_tui.simulator.navigating.faults import AWHILE, BODY, at_once, often
+from fleet_tui.simulator.faults import wire
+from fleet_tui.simulator.faults.plays import Faults, Play, having
+from fleet_tui.simulator.navigating.faults import AWHILE, BODY, navigation_of, often
 
 if TYPE_CHECKING:
     # The command line lists the faults: it must not wait for the server to be imported.
@@ -20,48 +21,28 @@ CONNECTS = 0.1  # seconds in which `first-lost` connects a new publisher
 GENERIC = ("frozen-rosapi", "dead-rosapi", "overloaded")
 
 
-def _rejects(navigation: "SimMoveBase") -> None:
-    navigation.rejects = True
-
-
-def _no_plan(navigation: "SimMoveBase") -> None:
-    navigation.plans = False
-
-
-def _no_feedback(navigation: "SimMoveBase") -> None:
-    navigation.publishes = False
-
-
-def _aborts(navigation: "SimMoveBase", age: float) -> float:
-    if age < AWHILE:
-        return age
+def _aborts(navigation: "SimMoveBase") -> None:
     navigation.abort()
-    return 0.0
 
 
-def _dies(navigation: "SimMoveBase", age: float) -> float:
-    if age > AWHILE:
-        navigation.die()
-    return age
+def _dies(navigation: "SimMoveBase") -> None:
+    navigation.die()
 
 
 def _restarts(server: "RosbridgeServer", robot: str) -> None:
     """Restart the node once, in the middle of its first goal."""
     done = False
 
-    def change(navigation: "SimMoveBase", age: float) -> float:
+    def restart(navigation: "SimMoveBase") -> None:
         nonlocal done
-        if age > AWHILE and not done:
+        if not done:
             done = True
             navigation.restart()
-        return age
 
-    often(change)(server, robot)
+    often(restart)(server, robot)
 
 
-def _intercepted(
-    change: "Callable[[RosbridgeServer, Take, dict[str, Any]], None]", parts: str = ""
-) -> wire.Play:
+def _intercepted(change: "Callable[[RosbridgeServer, Take, dict[str, Any]], None]", parts: str = "") -> Play:
     """Return a fault in the delivery of goals and cancellations: `change` replaces the function that receives
     the message."""
 
@@ -90,23 +71,15 @@ def _first_lost(server: "RosbridgeServer", _robot: str) -> None:
     server.bridge.services.guests.connects_in = CONNECTS
 
 
-def _unsourced(server: "RosbridgeServer", _robot: str) -> None:
-    server.bridge.services.unsourced.add("move_base_msgs")
-
-
-def _unlocalised(server: "RosbridgeServer", robot: str) -> None:
-    server.bridge.muted.add(f"/{robot}/amcl_pose")
-
-
 FAULTS: Faults = {
     **BODY,
-    "reject": ("every goal is rejected: status 5", at_once(_rejects)),
-    "no-plan": ("no path to any goal: recoveries, then an abort", at_once(_no_plan)),
+    "reject": ("every goal is rejected: status 5", having(navigation_of, rejects=True)),
+    "no-plan": ("no path to any goal: recoveries, then an abort", having(navigation_of, plans=False)),
     "aborts": (f"every drive is aborted after {AWHILE:g} s", often(_aborts)),
     "dead-server": (f"move_base crashes {AWHILE:g} s after the first goal", often(_dies)),
     "restart": (f"move_base is restarted {AWHILE:g} s after the first goal: its goals are lost", _restarts),
-    "no-feedback": ("no feedback while driving", at_once(_no_feedback)),
-    "unlocalised": ("no pose from amcl", _unlocalised),
+    "no-feedback": ("no feedback while driving", having(navigation_of, publishes=False)),
+    "unlocalised": ("no pose from amcl", wire.without("amcl_pose")),
     "never": ("goals and cancellations are ignored", _intercepted(_lost)),
     "refuse-cancel": ("cancellations are ignored", _intercepted(_lost, "/cancel")),
     "late": (f"goals and cancellations are taken after {wire.LATE:g} s", _intercepted(_late)),
@@ -115,5 +88,5 @@ FAULTS: Faults = {
         f"what a client publishes is lost for {CONNECTS:g} s after it has advertised the topic",
         _first_lost,
     ),
-    "unsourced": ("the bridge lacks the package move_base_msgs", _unsourced),
+    "unsourced": ("the bridge lacks the package move_base_msgs", wire.unsourced("move_base_msgs")),
 } | {name: OF_ALL[name] for name in GENERIC}

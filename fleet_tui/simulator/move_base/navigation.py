@@ -4,13 +4,12 @@ import math
 import random
 from collections import deque
 from itertools import count
-from typing import Any
 
 from fleet_tui.model.geometry import Pose
 from fleet_tui.simulator.logs import ERROR, WARN
-from fleet_tui.simulator.navigating.poses import FRAME, flat, solid
+from fleet_tui.simulator.messages import FRAME, Message, flat, solid
 from fleet_tui.simulator.navigating.robot import NO_PROGRESS, TAKEN_OVER, NavigatingRobot
-from fleet_tui.simulator.navigating.world import Clock, NavigatingWorld
+from fleet_tui.simulator.navigating.world import Clock
 from fleet_tui.simulator.ros.actionlib import (
     ABORTED,
     PREEMPTED,
@@ -20,8 +19,6 @@ from fleet_tui.simulator.ros.actionlib import (
     GoalReport,
     SimpleActionServer,
 )
-
-Message = dict[str, Any]
 
 # metres, radians after which amcl publishes the pose
 MOVED = 0.2
@@ -36,13 +33,10 @@ INVALID = "Aborting on goal because it was sent with an invalid quaternion"
 REACHED = "Goal reached."
 
 
-GIGA = 10**9
-
-
 class SimMoveBase:
     """Its attributes are for tests and faults to read and change. `clock`: nanoseconds since 1970."""
 
-    def __init__(self, robot: NavigatingRobot, clock: Clock) -> None:
+    def __init__(self, robot: NavigatingRobot, _ids: random.Random, clock: Clock) -> None:
         self.robot = robot
         self._clock = clock
         robot.moved = MOVED
@@ -71,7 +65,6 @@ class SimMoveBase:
 
     @property
     def busy(self) -> bool:
-        """Tell whether it has a goal."""
         return bool(self.server.running)
 
     def receive_goal(self, message: Message) -> None:
@@ -99,17 +92,23 @@ class SimMoveBase:
             self.server.cancel(message["id"], _nanoseconds(message["stamp"]))
 
     def give(self, x: float, y: float, yaw: float = 0.0) -> None:
-        """Send a pose as a goal, as another client would."""
         header = {"seq": 0, "stamp": _time(self._clock()), "frame_id": FRAME}
         self.receive_pose({"header": header, "pose": solid(Pose(x, y, yaw))})
 
+    def employ(self, rng: random.Random) -> None:
+        floor = self.robot.floor
+        spot = floor.graph.vertices[rng.choice(tuple(floor.labels))]
+        self.give(spot.x, spot.y, rng.uniform(-3.0, 3.0))
+
+    def recharge(self) -> None:
+        charger = self.robot.floor.charger
+        self.give(charger.x, charger.y)
+
     def cancel_all(self) -> None:
-        """Cancel its goals as another client would."""
         if self.alive:
             self.server.cancel("", 0)
 
     def abort(self) -> None:
-        """Abort the current drive."""
         if self.robot.driving:
             self.robot.fail(*NO_PROGRESS)
 
@@ -125,7 +124,6 @@ class SimMoveBase:
         self.server.restart()
 
     def step(self, dt: float) -> None:
-        """Bring the goals on, after the robot has lived for dt seconds."""
         self.server.age(dt)
         goal = self.server.accept()
         if goal is not None:
@@ -179,8 +177,7 @@ class SimMoveBase:
             self.lines.append((ERROR, text.replace("Failed to find", "Aborting: failed to find")))
 
     def _at_charger(self) -> bool:
-        floor, at = self.robot.floor, self.robot.pose
-        charger = floor.graph.vertices[floor.vertex_of("charger")]
+        charger, at = self.robot.floor.charger, self.robot.pose
         return math.dist((charger.x, charger.y), (at.x, at.y)) < NEAR
 
 
@@ -201,8 +198,8 @@ def _time(nanoseconds: int) -> Message:
 
 def goal_status(status: GoalReport) -> Message:
     """actionlib_msgs/GoalStatus."""
-    stamp = {"secs": status.stamp // GIGA, "nsecs": status.stamp % GIGA}
-    return {"goal_id": {"stamp": stamp, "id": status.id}, "status": status.status, "text": status.text}
+    id_ = {"stamp": _time(status.stamp), "id": status.id}
+    return {"goal_id": id_, "status": status.status, "text": status.text}
 
 
 def statuses(listed: list[GoalReport], header: Message) -> Message:
@@ -219,11 +216,3 @@ def feedback(status: GoalReport, robot: NavigatingRobot, header: Message, at: Me
     """move_base_msgs/MoveBaseActionFeedback; `at` is the header of the robot's pose."""
     position = {"header": at, "pose": solid(robot.belief.of(robot.pose))}
     return {"header": header, "status": goal_status(status), "feedback": {"base_position": position}}
-
-
-class MoveBaseWorld(NavigatingWorld[SimMoveBase]):
-    """`robots` robots on `floors` floors, as in NavigatingWorld."""
-
-    def navigate(self, robot: NavigatingRobot, ids: random.Random, clock: Clock) -> SimMoveBase:
-        """Make the navigation stack of a robot."""
-        return SimMoveBase(robot, clock)

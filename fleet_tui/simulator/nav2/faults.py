@@ -3,12 +3,12 @@
 from typing import TYPE_CHECKING
 
 from fleet_tui.simulator.faults import FAULTS as OF_ALL
-from fleet_tui.simulator.faults import Faults, wire
-from fleet_tui.simulator.navigating.faults import AWHILE, BODY, at_once, often
+from fleet_tui.simulator.faults import wire
+from fleet_tui.simulator.faults.plays import Faults, each_step, having
+from fleet_tui.simulator.navigating.faults import AWHILE, BODY, navigation_of, often
 
 if TYPE_CHECKING:
     # The command line lists the faults: it must not wait for the server to be imported.
-    from fleet_tui.simulator.nav2.fleet import Nav2Fleet
     from fleet_tui.simulator.nav2.navigation import SimNavigation
     from fleet_tui.simulator.server import RosbridgeServer
 
@@ -39,62 +39,30 @@ GENERIC = (
 )
 
 
-def _fleet(server: "RosbridgeServer", robot: str) -> "Nav2Fleet":
-    from fleet_tui.simulator.nav2.fleet import Nav2Fleet
-
-    fleet = server.bridge.services.fleet_of(robot)
-    assert isinstance(fleet, Nav2Fleet)
-    return fleet
-
-
-def _inactive(navigation: "SimNavigation") -> None:
-    navigation.active = False
-
-
-def _reject(navigation: "SimNavigation") -> None:
-    navigation.reject = 10**9
-
-
-def _aborts(navigation: "SimNavigation", age: float) -> float:
-    if age < AWHILE:
-        return age
+def _aborts(navigation: "SimNavigation") -> None:
     navigation.abort(ABORTS)
-    return 0.0
 
 
-def _silent_aborts(navigation: "SimNavigation", age: float) -> float:
+def _silent_aborts(navigation: "SimNavigation") -> None:
     """Abort as a behaviour tree does whose controller is late: no code, no text, a warning in the log."""
-    if age < AWHILE:
-        return age
     navigation.warn(*LATE_CONTROLLER)
     navigation.abort(0, "")
-    return 0.0
 
 
-def _refuse_cancel(navigation: "SimNavigation") -> None:
-    for server in navigation.servers.values():
-        server.refuses_cancel = True
+def _refuse_cancel(server: "RosbridgeServer", robot: str) -> None:
+    for action in navigation_of(server, robot).servers.values():
+        action.refuses_cancel = True
 
 
 def _dead_server(server: "RosbridgeServer", robot: str) -> None:
     """Crash the node of the action servers during the first goal."""
 
-    def change(navigation: "SimNavigation", age: float) -> float:
-        if age > AWHILE:
-            for one in navigation.servers.values():
-                one.die()
-                server.bridge.services.silent_services.add(f"{one.name}/_action/cancel_goal")
-        return age
+    def die(navigation: "SimNavigation") -> None:
+        for action in navigation.servers.values():
+            action.die()
+            server.bridge.services.silent_services.add(f"{action.name}/_action/cancel_goal")
 
-    often(change)(server, robot)
-
-
-def _no_feedback(navigation: "SimNavigation") -> None:
-    navigation.publishes = False
-
-
-def _unsourced(server: "RosbridgeServer", _robot: str) -> None:
-    server.bridge.services.unsourced.add("nav2_msgs")
+    often(die)(server, robot)
 
 
 def _mute_rejection(server: "RosbridgeServer", _robot: str) -> None:
@@ -106,13 +74,13 @@ def _humble(server: "RosbridgeServer", robot: str) -> None:
     server.bridge.one_by_one = True
     server.bridge.services.call_timeout = None
     server.bridge.services.rosapi.distro = "humble"
-    for navigation in _fleet(server, robot).navigation.values():
-        navigation.distro = "humble"
+    for one in server.bridge.services.fleet_of(robot).robots:
+        navigation_of(server, one).distro = "humble"
 
 
 def _node_down(server: "RosbridgeServer", robot: str) -> None:
     """Kill the controller: the manager takes all other nodes down."""
-    navigation = _fleet(server, robot).navigation[robot]
+    navigation: SimNavigation = navigation_of(server, robot)
     navigation.active = False
     navigation.warn(*DEAD_CONTROLLER, is_error=True)
     del server.bridge.services.offered[f"/{robot}/controller_server/get_state"]
@@ -120,49 +88,51 @@ def _node_down(server: "RosbridgeServer", robot: str) -> None:
 
 def _bring_up(server: "RosbridgeServer", robot: str) -> None:
     """Let the planner wait for a pose, and the lifecycle manager for the planner."""
-    fleet = _fleet(server, robot)
-    navigation, manager = fleet.navigation[robot], f"/{robot}/lifecycle_manager_navigation/is_active"
+    navigation: SimNavigation = navigation_of(server, robot)
+    manager = f"/{robot}/lifecycle_manager_navigation/is_active"
     navigation.waits_in = "planner_server"
     navigation.active = False
     navigation.robot.is_lost_at_start = True
     server.bridge.services.silent_services.add(manager)
 
-    def step(_dt: float) -> None:
+    def step(_passed: float) -> None:
         if navigation.waits_in and not navigation.robot.is_lost_at_start:
             navigation.waits_in = ""
             navigation.active = True
             server.bridge.services.silent_services.discard(manager)
 
-    fleet.troubles.append(step)
+    each_step(server, robot, step)
 
 
-def _foreign_spin(navigation: "SimNavigation", age: float) -> float:
-    if age >= AWHILE and not navigation.busy:
+def _foreign_spin(navigation: "SimNavigation") -> None:
+    if not navigation.busy:
         navigation.take("spin", {"target_yaw": 30.0, "time_allowance": {"sec": 60, "nanosec": 0}})
-    return 0.0 if age >= AWHILE else age
 
 
 FAULTS: Faults = {
     **BODY,
     "foreign-spin": ("another client lets it spin, again and again", often(_foreign_spin, idle=True)),
-    "inactive": ("Nav2 not active: every goal is rejected, is_active is false", at_once(_inactive)),
+    "inactive": (
+        "Nav2 not active: every goal is rejected, is_active is false",
+        having(navigation_of, active=False),
+    ),
     "node-down": ("its controller_server is dead, Nav2 not active", _node_down),
     "bring-up": ("Nav2 starts and waits for a pose, its manager does not answer", _bring_up),
-    "reject": ("every goal is rejected though Nav2 is active", at_once(_reject)),
+    "reject": ("every goal is rejected though Nav2 is active", having(navigation_of, reject=10**9)),
     "aborts": (f"every drive is aborted with code {ABORTS} after {AWHILE:g} s", often(_aborts)),
     "silent-aborts": (
         f"every drive is aborted after {AWHILE:g} s without a code, only the log tells why",
         often(_silent_aborts),
     ),
-    "refuse-cancel": ("no goal can be cancelled", at_once(_refuse_cancel)),
+    "refuse-cancel": ("no goal can be cancelled", _refuse_cancel),
     "dead-server": (f"its action servers crash {AWHILE:g} s after the first goal", _dead_server),
-    "no-feedback": ("no action feedback while driving", at_once(_no_feedback)),
+    "no-feedback": ("no action feedback while driving", having(navigation_of, publishes=False)),
     "humble": (
         "the bridge of Humble: a goal or call blocks its connection until done, no time limit",
         _humble,
     ),
     "mute-rejection": ("an old bridge: rejected goals get no reply", _mute_rejection),
-    "unsourced": ("the bridge lacks the package nav2_msgs", _unsourced),
+    "unsourced": ("the bridge lacks the package nav2_msgs", wire.unsourced("nav2_msgs")),
     "volatile-pose": (
         f"its localisation not latched, sent every {wire.AGAIN:g} s, as by slam_toolbox",
         wire.volatile_pose,

@@ -1,15 +1,10 @@
 """The messages of robots with Nav2, as ROS has them."""
 
-from typing import Any
-
 from fleet_tui.model.geometry import Pose
-from fleet_tui.simulator.messages import float32
+from fleet_tui.simulator.messages import Message, float32, solid
 from fleet_tui.simulator.nav2.navigation import DOCK, SPIN, THROUGH, WAYPOINTS, SimNavigation
-from fleet_tui.simulator.navigating.poses import solid
 from fleet_tui.simulator.navigating.robot import NavigatingRobot
 from fleet_tui.simulator.ros.goals import Id, ServedGoal, uuid_of
-
-Message = dict[str, Any]
 
 # nav2_msgs/CollisionMonitorState
 NOTHING = 0

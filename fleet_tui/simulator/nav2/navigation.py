@@ -1,17 +1,14 @@
 """The action servers of one robot: accept goals and drive the robot. Pure."""
 
 import random
-from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Any
 
 from fleet_tui.model.geometry import Pose
 from fleet_tui.simulator.logs import ERROR, WARN
-from fleet_tui.simulator.navigating.poses import FRAME, flat, stamped
+from fleet_tui.simulator.messages import FRAME, Message, flat, stamped
 from fleet_tui.simulator.navigating.robot import NavigatingRobot
+from fleet_tui.simulator.navigating.world import Clock
 from fleet_tui.simulator.ros.goals import ABORTED, CANCELED, CANCELING, SUCCEEDED, ActionServer, ServedGoal
-
-Message = dict[str, Any]
 
 TO_POSE = "navigate_to_pose"
 THROUGH = "navigate_through_poses"
@@ -52,9 +49,9 @@ class _Tour:
 class SimNavigation:
     """Its attributes are for tests to read and change. `clock`: nanoseconds since 1970."""
 
-    def __init__(self, robot: NavigatingRobot, rng: random.Random, clock: Callable[[], int]) -> None:
+    def __init__(self, robot: NavigatingRobot, ids: random.Random, clock: Clock) -> None:
         self.robot = robot
-        self._rng = rng
+        self._ids = ids
         self._clock = clock
         begins = {TO_POSE: self._begin, THROUGH: self._begin, WAYPOINTS: self._tour, DOCK: self._dock}
         begins[SPIN] = self._spin
@@ -75,39 +72,45 @@ class SimNavigation:
         self.publishes = True
         """False: no feedback is sent."""
         self.distro = "jazzy"
-        """Goals whose results have been sent."""
         self._current: ServedGoal | None = None
         self._tours: dict[str, _Tour] = {}
 
     def give(self, x: float, y: float, yaw: float = 0.0) -> ServedGoal | None:
-        """Send a goal of navigate_to_pose as another client would; None if it is rejected."""
         return self.take(TO_POSE, {"pose": stamped(Pose(x, y, yaw)), "behavior_tree": ""})
 
     def take(self, verb: str, request: Message) -> ServedGoal | None:
         """Send any goal with complete fields under a new id; None if it is rejected."""
         return self.servers[verb].take(self.new_id(), self._clock(), request)
 
+    def employ(self, rng: random.Random) -> None:
+        """Send it to a labelled vertex, every third time by way of another, as another client would."""
+        floor = self.robot.floor
+        spots = [floor.graph.vertices[id_] for id_ in rng.sample(tuple(floor.labels), 2)]
+        poses = [stamped(Pose(spot.x, spot.y, rng.uniform(-3.0, 3.0))) for spot in spots]
+        if rng.random() < 0.3:
+            self.take(WAYPOINTS, {"number_of_loops": 0, "goal_index": 0, "poses": poses})
+        else:
+            self.take(TO_POSE, {"pose": poses[0], "behavior_tree": ""})
+
+    def recharge(self) -> None:
+        self.take(DOCK, {"use_dock_id": True, "dock_id": "charger"})
+
     @property
     def busy(self) -> bool:
-        """Tell whether it has a goal."""
         return any(server.running for server in self.servers.values())
 
     def cancel_all(self) -> None:
-        """Cancel its goals as another client would."""
         for server in self.servers.values():
             server.cancel(bytes(16), 0)
 
     def new_id(self) -> bytes:
-        """An id for a goal."""
-        return self._rng.randbytes(16)
+        return self._ids.randbytes(16)
 
     def abort(self, code: int = 105, message: str = "Failed to make progress") -> None:
-        """Abort the current drive."""
         if self._current is not None:
             self.robot.fail(code, message)
 
     def warn(self, node: str, text: str, is_error: bool = False) -> None:
-        """Log a warning of one of its nodes, or an error."""
         self.complaints.append((ERROR if is_error else WARN, node, text))
 
     def state_of(self, node: str) -> str:
@@ -118,7 +121,6 @@ class SimNavigation:
         return "active" if self.active else "inactive"
 
     def step(self, dt: float) -> None:
-        """Bring the goals on, after the robot has lived for dt seconds."""
         for server in self.servers.values():
             server.age(dt)
         self._advance_drive()
@@ -177,8 +179,7 @@ class SimNavigation:
         self._replace(WAYPOINTS, _Tour(goal, goal.request["poses"]))
 
     def _dock(self, goal: ServedGoal) -> None:
-        floor = self.robot.floor
-        dock = floor.graph.vertices[floor.vertex_of("charger")]
+        dock = self.robot.floor.charger
         self._replace(DOCK, _Tour(goal, [stamped(Pose(dock.x, dock.y))]))
 
     def _spin(self, goal: ServedGoal) -> None:

@@ -4,11 +4,23 @@ import time
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from fleet_tui.simulator.faults import Faults, camera, hand, wire
+from fleet_tui.simulator.faults import camera, hand
+from fleet_tui.simulator.faults.plays import (
+    FLAT,
+    Faults,
+    Play,
+    battery,
+    each_step,
+    having,
+    obstacle,
+    robot_of,
+)
 from fleet_tui.simulator.senses.belief import DRIFT
 
 if TYPE_CHECKING:
     # The command line lists the faults: it must not wait for the server to be imported.
+    from fleet_tui.model.geometry import Pose
+    from fleet_tui.simulator.navigating.robot import NavigatingRobot
     from fleet_tui.simulator.navigating.world import Navigating
     from fleet_tui.simulator.server import RosbridgeServer
 
@@ -17,8 +29,12 @@ else:
     N = TypeVar("N")
 
 AWHILE = 3.0  # seconds after which something happens to a drive
+LOCALISED_HZ = 20.0
+COUNTED_HZ = 50.0
+"""Transforms a second of the localisation and of the wheels: two publishers of one topic."""
+TOLERANCE = 1.0
+"""Seconds by which a localisation stamps its transform ahead, so that it is valid until the next one."""
 EVERY = 20.0  # seconds between two goals of another client
-FLAT = 8.0  # per cent above which `battery` never charges
 
 
 def navigation_of(server: "RosbridgeServer", robot: str) -> Any:
@@ -29,95 +45,56 @@ def navigation_of(server: "RosbridgeServer", robot: str) -> Any:
     return fleet.navigation[robot]
 
 
-def at_once(change: Callable[[N], None]) -> wire.Play:
-    """A fault that is there from the start."""
-    return lambda server, robot: change(navigation_of(server, robot))
-
-
-def often(change: Callable[[N, float], float], idle: bool = False) -> wire.Play:
-    """Return a recurring fault: `change` receives the seconds since the goal began, or if `idle` since the
-    fault last occurred, and returns the seconds to count on from."""
+def often(act: Callable[[N], None], seconds: float | None = None, idle: bool = False) -> Play:
+    """Return a recurring fault: it occurs `seconds`, or else AWHILE, after a goal began, and after it
+    occurred last; if `idle` without a goal, too."""
 
     def play(server: "RosbridgeServer", robot: str) -> None:
         navigation, age = navigation_of(server, robot), 0.0
 
-        def step(dt: float) -> None:
+        def step(passed: float) -> None:
             nonlocal age
-            busy = idle or navigation.busy
-            age = change(navigation, age + dt / server.speed if busy else 0.0)
+            age = age + passed if idle or navigation.busy else 0.0
+            if age >= (AWHILE if seconds is None else seconds):
+                age = 0.0
+                act(navigation)
 
-        server.bridge.services.fleet_of(robot).troubles.append(step)
+        each_step(server, robot, step)
 
     return play
 
 
-def _foreign_goal(navigation: "Navigating", age: float) -> float:
-    if age < EVERY:
-        return age
+def _foreign_goal(navigation: "Navigating") -> None:
     floor, at = navigation.robot.floor, navigation.robot.pose
     far = max(floor.labels, key=lambda id_: abs(floor.graph.vertices[id_].x - at.x))
     navigation.give(floor.graph.vertices[far].x, floor.graph.vertices[far].y)
-    return 0.0
 
 
-def _foreign_cancel(navigation: "Navigating", age: float) -> float:
-    if age < AWHILE:
-        return age
+def _foreign_cancel(navigation: "Navigating") -> None:
     navigation.cancel_all()
-    return 0.0
 
 
-def _no_odom(navigation: "Navigating") -> None:
-    navigation.robot.odometry = False
+def _lost(server: "RosbridgeServer", robot: str) -> None:
+    robot_of(server, robot).lose()
 
 
-def _lost(navigation: "Navigating") -> None:
-    navigation.robot.lose()
-
-
-def _mislocalised(navigation: "Navigating") -> None:
+def _mislocalised(server: "RosbridgeServer", robot: str) -> None:
     """Let it believe to be elsewhere: the published pose follows at once."""
-    robot = navigation.robot
-    robot.place(robot.pose.after(DRIFT))
-
-
-def _obstacle(navigation: "Navigating") -> None:
-    navigation.robot.block()
-
-
-def _stuck(navigation: "Navigating") -> None:
-    navigation.robot.stuck = True
-
-
-def _silent(navigation: "Navigating") -> None:
-    navigation.robot.silence = float("inf")
-
-
-def _battery(navigation: "Navigating", age: float) -> float:
-    navigation.robot.battery = min(navigation.robot.battery, FLAT)
-    return age
-
-
-def _unmeasured(navigation: "Navigating") -> None:
-    navigation.robot.percent = float("nan")
-
-
-def _percent(navigation: "Navigating") -> None:
-    navigation.robot.percent = 1.0
+    body: NavigatingRobot = robot_of(server, robot)
+    body.place(body.pose.after(DRIFT))
 
 
 def unlocalised(server: "RosbridgeServer", robot: str) -> None:
     """Kill the node of its localisation during the first goal."""
 
-    def change(navigation: "Navigating", age: float) -> float:
-        if age > AWHILE and not navigation.robot.is_unlocalised:
+    def die(navigation: "Navigating") -> None:
+        if not navigation.robot.is_unlocalised:
             navigation.robot.is_unlocalised = True
             navigation.robot.localised_last = navigation.robot.pose, time.time()
             if (topic := f"/{robot}/amcl_pose") in server.bridge.topics:
                 server.bridge.withdraw(topic)
-        return age
 
-    often(change)(server, robot)
+    often(die)(server, robot)
 
 
 def shared_transforms(server: "RosbridgeServer", robot: str) -> None:
@@ -130,10 +107,39 @@ def own_transforms(server: "RosbridgeServer", robot: str) -> None:
     _transforms(server, robot, f"/{robot}/tf", "")
 
 
-def _transforms(server: "RosbridgeServer", robot: str, topic: str, prefix: str) -> None:
-    from fleet_tui.simulator.navigating import transforms
+def _transforms(server: "RosbridgeServer", name: str, topic: str, prefix: str) -> None:
+    """Withdraw the topic of its localisation, which slam_toolbox lacks, and publish transforms on `topic`;
+    `prefix` is before the names of its own frames."""
+    from fleet_tui.simulator.frames import Payload
+    from fleet_tui.simulator.messages import FRAME, Topic, solid
+    from fleet_tui.simulator.senses.laser import TRANSFORMS
 
-    transforms.publish(server, navigation_of(server, robot).robot, topic, prefix)
+    robot: NavigatingRobot = robot_of(server, name)
+    bridge, nothing = server.bridge, Payload({"transforms": []})
+    bridge.withdraw(f"/{name}/amcl_pose")
+    bridge.advertise(Topic(topic, bridge.dialect.message_type(TRANSFORMS), lambda _now: nothing))
+    age = localised = counted = 0.0
+
+    def send(parent: str, child: str, pose: "Pose", ahead: float = 0.0) -> None:
+        placed, header = solid(pose), bridge.dialect.header(0, time.time() + ahead, parent)
+        moved = {"translation": placed["position"], "rotation": placed["orientation"]}
+        transform = {"header": header, "child_frame_id": f"{prefix}{child}", "transform": moved}
+        bridge.publish(topic, Payload({"transforms": [transform]}))
+
+    def step(passed: float) -> None:
+        nonlocal age, localised, counted
+        age += passed
+        while localised < age * LOCALISED_HZ:
+            localised += 1
+            if not (robot.silence or robot.is_unlocalised):
+                origin = robot.belief.of(robot.pose).after(robot.odom.inverse)
+                send(FRAME, "odom", origin, TOLERANCE)
+        while counted < age * COUNTED_HZ:
+            counted += 1
+            if not robot.silence:
+                send(f"{prefix}odom", "base_footprint", robot.odom)
+
+    each_step(server, name, step)
 
 
 BODY: Faults = {
@@ -146,17 +152,20 @@ BODY: Faults = {
         f"its localisation dies {AWHILE:g} s after the first goal, its wheels count on",
         unlocalised,
     ),
-    "stuck": ("wheels blocked: recoveries, then an abort", at_once(_stuck)),
-    "foreign-goal": (f"another client sends a goal every {EVERY:g} s", often(_foreign_goal, idle=True)),
+    "stuck": ("wheels blocked: recoveries, then an abort", having(robot_of, stuck=True)),
+    "foreign-goal": (
+        f"another client sends a goal every {EVERY:g} s",
+        often(_foreign_goal, EVERY, idle=True),
+    ),
     "foreign-cancel": (f"another client cancels every goal after {AWHILE:g} s", often(_foreign_cancel)),
-    "no-odom": ("no odometry", at_once(_no_odom)),
-    "lost": ("localisation uncertain and wrong", at_once(_lost)),
-    "mislocalised": ("believes to be 4 m away and turned, until its pose is set", at_once(_mislocalised)),
-    "obstacle": ("stops at a permanent obstacle", at_once(_obstacle)),
-    "battery": (f"battery never above {FLAT:g} %", often(_battery, idle=True)),
-    "unmeasured": ("battery percentage NaN", at_once(_unmeasured)),
-    "percent": ("battery percentage 0 to 100 instead of 0 to 1", at_once(_percent)),
-    "silent": ("sends nothing", at_once(_silent)),
+    "no-odom": ("no odometry", having(robot_of, odometry=False)),
+    "lost": ("localisation uncertain and wrong", _lost),
+    "mislocalised": ("believes to be 4 m away and turned, until its pose is set", _mislocalised),
+    "obstacle": ("stops at a permanent obstacle", obstacle),
+    "battery": (f"battery never above {FLAT:g} %", battery),
+    "unmeasured": ("battery percentage NaN", having(robot_of, percent=float("nan"))),
+    "percent": ("battery percentage 0 to 100 instead of 0 to 1", having(robot_of, percent=1.0)),
+    "silent": ("sends nothing", having(robot_of, silence=float("inf"))),
     **hand.FAULTS,
     **camera.FAULTS,
 }

@@ -1,34 +1,19 @@
 """The messages of robots that navigate, for both versions of ROS. Pure."""
 
 import math
-from collections.abc import Callable
-from itertools import count
-from typing import Any
 
 import numpy as np
 
 from fleet_tui.model.geometry import Pose
-from fleet_tui.simulator.floorplan import RESOLUTION, Cells
-from fleet_tui.simulator.messages import float32
-from fleet_tui.simulator.navigating.poses import FRAME, solid
+from fleet_tui.simulator.messages import Message, float32, solid
 from fleet_tui.simulator.navigating.robot import NavigatingRobot
 from fleet_tui.simulator.ros.dialect import Dialect
-
-Message = dict[str, Any]
-Header = Callable[[float], Message]
-"""Makes the header of a topic's next message from the wall time."""
 
 # sensor_msgs/BatteryState
 CHARGING = 1
 DISCHARGING = 2
 LION = 2
 UNMEASURED = dict.fromkeys(("temperature", "current", "charge", "capacity", "design_capacity"), math.nan)
-
-
-def headers(dialect: Dialect, frame: str = FRAME) -> Header:
-    """The headers of one topic, in the map's frame or another."""
-    said = count(1)
-    return lambda now: dialect.header(next(said), now, frame)
 
 
 def odometry(robot: NavigatingRobot, dialect: Dialect, header: Message) -> Message:
@@ -73,19 +58,6 @@ def path(robot: NavigatingRobot, header: Message) -> Message:
     """nav_msgs/Path from where it is to its goal."""
     spots = [(robot.pose.x, robot.pose.y), *robot.way]
     return {"header": header, "poses": [{"header": header, "pose": solid(Pose(*spot))} for spot in spots]}
-
-
-def grid(cells: Cells, origin: tuple[float, float], header: Message, loaded: Message) -> Message:
-    """nav_msgs/OccupancyGrid; `origin` is the place of its lower left corner."""
-    height, width = cells.shape
-    info = {
-        "map_load_time": loaded,
-        "resolution": float32(RESOLUTION),
-        "width": width,
-        "height": height,
-        "origin": solid(Pose(*origin)),
-    }
-    return {"header": header, "info": info, "data": cells.ravel()}
 
 
 def _diagonal(dialect: Dialect, *values: float) -> object:

@@ -2,13 +2,11 @@
 
 import math
 import random
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
 from fleet_tui.model.geometry import Pose
 from fleet_tui.simulator.navigating.paths import NoPathError, Spot, length, plan
-from fleet_tui.simulator.robot import CHARGE, DRAIN, DRAIN_STANDING, SPEED, STEP, TURN, Obstructed
-from fleet_tui.simulator.senses.belief import Belief
-from fleet_tui.simulator.senses.wheels import Wheels
+from fleet_tui.simulator.robot import CHARGE, DRAIN, DRAIN_STANDING, SPEED, STEP, TURN, RobotBody, Work
 from fleet_tui.simulator.warehouse import SimFloor
 
 # odometry measured per metre and per radian
@@ -26,8 +24,8 @@ Failure = tuple[int, str]
 """Nav2's error code and text."""
 
 
-class NavigatingRobot(Obstructed):
-    """A robot without a queue. `quiet` turns off obstacles of its own. Its attributes may be changed."""
+class NavigatingRobot(RobotBody):
+    """A robot without a queue."""
 
     percent = 0.01
     """The factor of the percentage: 0.01 = it is 0 to 1, 1 = 0 to 100, NaN = it is not measured."""
@@ -44,28 +42,18 @@ class NavigatingRobot(Obstructed):
     """The pose and the Unix second of its death: what its navigation goes on believing."""
     is_lost_at_start = False
     """True: its localisation has no pose until one is set."""
-    silence = 0.0
-    """Seconds for which none of the robot's topics are published."""
     left_for = 0.0
     """Seconds for which the other client sends it no goals, since somebody else cancelled one."""
-    stuck = False
-    """True: its wheels are blocked."""
     speed = 0.0, 0.0
     """Metres and radians per second in the last step."""
 
     def __init__(self, index: int, floor: SimFloor, pose: Pose, rng: random.Random, quiet: bool) -> None:
-        self.name = f"robot_{index}"
-        self.index = index
+        super().__init__(index, pose, rng, quiet)
         self.floor = floor
-        self._rng = rng
-        self._quiet = quiet
-        self.pose = pose
         self.odom = Pose(0.0, 0.0)
         """The pose by odometry, relative to its start."""
         self.estimate = pose
         """The last pose on the map published by its localisation."""
-        self.battery = rng.uniform(45.0, 95.0)
-        """Per cent."""
         self.driving = self.moving = False
         """True while it drives; true if it progressed in the last step."""
         self.way: list[Spot] = []
@@ -78,11 +66,8 @@ class NavigatingRobot(Obstructed):
         self.failure: Failure | None = None
         """The reason that its last drive was aborted."""
         self._stood = 0.0
-        self._obstacle_in = rng.uniform(25.0, 90.0)
-        self._work: Iterator[None] = iter(())
+        self._work: Work = iter(())
         self._was_placed = False
-        self.belief = Belief()
-        self.wheels = Wheels()
 
     @property
     def distance_remaining(self) -> float:
@@ -111,7 +96,6 @@ class NavigatingRobot(Obstructed):
         self._work = iter(())
 
     def fail(self, code: int, message: str) -> None:
-        """Abort the drive."""
         self.halt()
         self.failure = code, message
 
@@ -127,7 +111,6 @@ class NavigatingRobot(Obstructed):
         self.is_lost_at_start = False
 
     def step(self) -> None:
-        """Advance by STEP seconds."""
         self.silence, self.left_for = (max(0.0, one - STEP) for one in (self.silence, self.left_for))
         before = self.pose
         if self.driving:
@@ -144,8 +127,7 @@ class NavigatingRobot(Obstructed):
         self._watch_progress()
         self._count_wheels(before)
         self.belief.carry(before, self.pose)
-        rate = CHARGE if self.docked else -DRAIN if self.moving else -DRAIN_STANDING
-        self.battery = min(100.0, max(0.0, self.battery + rate * STEP))
+        self._charge_by(CHARGE if self.docked else -DRAIN if self.moving else -DRAIN_STANDING)
 
     def localise(self) -> bool:
         """Tell whether the localisation publishes a pose: only once the robot has moved far enough."""
@@ -161,7 +143,7 @@ class NavigatingRobot(Obstructed):
         self.estimate = Pose(at.x + off, at.y, at.yaw)
         return True
 
-    def _drive(self, poses: Sequence[Pose]) -> Iterator[None]:
+    def _drive(self, poses: Sequence[Pose]) -> Work:
         self.stops = len(poses)
         yield
         for pose in poses:
@@ -171,27 +153,11 @@ class NavigatingRobot(Obstructed):
                 self.fail(error.code, str(error))
                 return
             while self.way:
-                yield from self._reach(self.way[0])
+                yield from self._reach(*self.way[0])
                 self.way = self.way[1:]
-            yield from self._turn(pose.yaw)
+            yield from self._face(pose.yaw)
             self.stops -= 1
         self.driving = False
-
-    def _reach(self, spot: Spot) -> Iterator[None]:
-        x, y = spot
-        if math.dist(spot, (self.pose.x, self.pose.y)) < 1e-9:
-            return
-        yield from self._turn(math.atan2(y - self.pose.y, x - self.pose.x))
-        while (left := math.dist(spot, (self.pose.x, self.pose.y))) > 1e-9:
-            part, at = min(1.0, SPEED * STEP / left), self.pose
-            self.pose = Pose(at.x + part * (x - at.x), at.y + part * (y - at.y), at.yaw)
-            yield
-
-    def _turn(self, wanted: float) -> Iterator[None]:
-        while abs(left := math.remainder(wanted - self.pose.yaw, math.tau)) > 1e-9:
-            turned = math.copysign(min(abs(left), TURN * STEP), left)
-            self.pose = Pose(self.pose.x, self.pose.y, math.remainder(self.pose.yaw + turned, math.tau))
-            yield
 
     def _spin(self) -> None:
         turned = min(self.turns_left, TURN * STEP)

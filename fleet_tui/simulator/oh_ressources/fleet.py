@@ -7,25 +7,30 @@ from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any
 
-from fleet_tui.model.geometry import Pose, yaw_of_quaternion
-from fleet_tui.simulator.fleets import Line
-from fleet_tui.simulator.floorplan import Cells
+from fleet_tui.simulator.fleets import Fleet, Line, Subscriptions
 from fleet_tui.simulator.frames import Payload
-from fleet_tui.simulator.graph import SimEdge, SimGraph, SimVertex
 from fleet_tui.simulator.logs import BROKEN, DEBUG, DOUBTFUL, ERROR, HEALTHY, INFO, WARN, entry
-from fleet_tui.simulator.messages import Message, Topic, graph_of, headers_of, labels_of, map_of, topics_of
+from fleet_tui.simulator.messages import Message, Topic, flat
+from fleet_tui.simulator.oh_ressources.messages import graph_of, labels_of, map_of, topics_of
 from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.robot import EMPTY, LOW, SimRobot
 from fleet_tui.simulator.ros.dialect import Dialect
-from fleet_tui.simulator.ros.goals import ActionServer, ServedGoal
-from fleet_tui.simulator.ros_types import ServiceType, robot_services, service_type
+from fleet_tui.simulator.ros.filling import ServiceType, service_type
 from fleet_tui.simulator.senses.camera import camera_topic
 from fleet_tui.simulator.senses.laser import scan_topic
 from fleet_tui.simulator.senses.mapping import Surveys
 from fleet_tui.simulator.senses.wheels import twists
-from fleet_tui.simulator.warehouse import SimFloor
+from fleet_tui.simulator.warehouse import SimEdge, SimFloor, SimGraph, SimVertex
 
 DESK = "Application_layout"
+ORDER_SERVICES = {
+    "Execute_order": "OH_ressources/Execute_manual_order",
+    "Execute_order_with_cargo": "OH_ressources/Execute_manual_order_with_cargo",
+    "Cancel_order": "OH_ressources/Cancel_order",
+    "Clear_orders": "OH_ressources/Clear_orders",
+    "Pause": "std_srvs/Trigger",
+    "Resume": "std_srvs/Trigger",
+}
 MAPPING = "set_mapping"
 SAVE = "save_map"
 
@@ -34,45 +39,32 @@ GRAPH_SAVE = "graph_save"
 LABELS_SAVE = "labels_save"
 
 
-def _cells_of(robot: SimRobot) -> Callable[[], Cells]:
-    return lambda: robot.floor.cells
-
-
-class OhFleet:
-    """The robots of a World on the wire. They have no actions."""
+class OhFleet(World, Fleet):
+    """The robots of the source's stack on the wire."""
 
     kind = "oh_ressources"
+    robots: dict[str, SimRobot]
 
-    def __init__(self, world: World) -> None:
-        self.world = world
-        self.troubles = world.troubles
-        self.actions: Mapping[str, ActionServer] = {}
-        self._graphs = SentGraphs(world)
-        self._changes = Changes(world.robots)
-        self._surveys = Surveys(world.robots, self._map_topics)
+    def __init__(
+        self, robots: int, floors: int, seed: int = 0, quiet: bool = False, first: int = 0, step: int = 1
+    ) -> None:
+        super().__init__(robots, floors, seed, quiet, first, step)
+        self._graphs = SentGraphs(self)
+        self._seen: dict[str, _Seen] = {}
+        self._surveys = Surveys(self.robots, self._map_topics)
         self.troubles.append(self._surveys.step)
 
-    @property
-    def robots(self) -> Mapping[str, SimRobot]:
-        """The world's robots."""
-        return self.world.robots
-
-    def step(self, dt: float) -> None:
-        """Advance the time by dt seconds."""
-        self.world.step(dt)
-
     def topics(self, loaded_at: float, dialect: Dialect) -> Iterator[Topic]:
-        """Every topic of the world."""
-        yield from topics_of(self.world, loaded_at, dialect, self._surveys.cells)
+        yield from topics_of(self, loaded_at, dialect, self._surveys.cells)
         yield from self._surveys.topics(dialect)
         for robot in self.robots.values():
-            yield scan_topic(robot, _cells_of(robot), headers_of(robot, dialect), dialect)
-            yield camera_topic(robot, _cells_of(robot), headers_of(robot, dialect, "camera"), dialect)
+            yield scan_topic(robot, dialect)
+            yield camera_topic(robot, dialect)
 
     def _map_topics(self, floor: SimFloor) -> list[str]:
         return [f"/{robot}/{floor.name}/map" for robot in self.robots]
 
-    def subscriptions(self) -> Mapping[str, tuple[str, Callable[[Message], None]]]:
+    def subscriptions(self) -> Subscriptions:
         """The topics of each robot for its pose, a goal beside its orders, twists, and a graph."""
         return {
             f"/{name}/{topic}": (type_, partial(take, robot))
@@ -81,13 +73,14 @@ class OhFleet:
         } | {**self._graphs.subscriptions(), **twists(self.robots)}
 
     def services(self, dialect: Dialect) -> Mapping[str, ServiceType]:
-        """The services of every robot."""
-        types = robot_services(dialect).items()
-        switch = service_type(dialect, "std_srvs/SetBool")
-        offered = {f"/{robot}/{DESK}/{verb}": type_ for robot in self.robots for verb, type_ in types}
-        save = service_type(dialect, "slam_toolbox_msgs/SaveMap")
-        own = {MAPPING: switch, SAVE: save}
-        return offered | {f"/{robot}/{part}": type_ for robot in self.robots for part, type_ in own.items()}
+        orders = {f"{DESK}/{verb}": name for verb, name in ORDER_SERVICES.items()}
+        set_up = {MAPPING: "std_srvs/SetBool", SAVE: "slam_toolbox_msgs/SaveMap"}
+        return {
+            f"/{robot}/{part}": service_type(dialect, name)
+            for parts in (orders, set_up)
+            for robot in self.robots
+            for part, name in parts.items()
+        }
 
     def answer(self, service: str, args: Mapping[str, Any]) -> Message:
         """The world's answer, or that of the switch of mapping, or of a map that is saved."""
@@ -96,13 +89,7 @@ class OhFleet:
         if service.endswith(f"/{MAPPING}"):
             self._surveys.switch(service.split("/")[1], on=args["data"])
             return {"success": True, "message": ""}
-        return self.world.answer(service, args)
-
-    def feedback(self, server: ActionServer, goal: ServedGoal, dialect: Dialect) -> Message | None:
-        """Nothing."""
-
-    def result(self, server: ActionServer, goal: ServedGoal) -> Message | None:
-        """Nothing."""
+        return super().answer(service, args)
 
     def news(self, dialect: Dialect) -> Iterable[tuple[str, Payload]]:
         """Return modes, graphs and live maps that changed: all other topics are published continuously."""
@@ -110,12 +97,15 @@ class OhFleet:
         yield from self._graphs.news()
         yield from self._surveys.news(lambda floor: map_of(floor, now, dialect, self._surveys.cells))
 
-    def lines(self) -> Iterable[Line]:
-        """Return the log lines for everything that happened since the last call."""
-        return self._changes.lines()
+    def lines(self) -> Iterator[Line]:
+        for name, robot in self.robots.items():
+            seen, before = _seen(robot), self._seen.get(name)
+            self._seen[name] = seen
+            if before is not None and before != seen and not robot.silence:
+                for level, node, message in _changes(before, seen, robot):
+                    yield level, f"/{name}/{node}", message
 
     def health(self) -> Iterable[Message]:
-        """Return three entries for every robot that is not silent."""
         return (entry for robot in self.robots.values() if not robot.silence for entry in health(robot))
 
 
@@ -126,7 +116,7 @@ class SentGraphs:
         self._world = world
         self._redrawn: set[str] = set()
 
-    def subscriptions(self) -> Mapping[str, tuple[str, Callable[[Message], None]]]:
+    def subscriptions(self) -> Subscriptions:
         """The topics of each robot and floor on which a graph and its labels are sent."""
         taken = {
             GRAPH_SAVE: ("OH_ressources/Graph", self._take_graph),
@@ -180,7 +170,7 @@ def _vertex(given: Mapping[str, Any]) -> SimVertex:
 
 @dataclass(frozen=True)
 class _Seen:
-    """The state of a robot at the last call."""
+    """What the log tells of a robot, as it was at the last call."""
 
     last_order: int
     current: int
@@ -205,23 +195,6 @@ def _seen(robot: SimRobot) -> _Seen:
         robot.floor.name,
         robot.vertex,
     )
-
-
-class Changes:
-    """Detects the changes of robots between two calls."""
-
-    def __init__(self, robots: Mapping[str, SimRobot]) -> None:
-        self._robots = robots
-        self._seen: dict[str, _Seen] = {}
-
-    def lines(self) -> Iterator[Line]:
-        """Return the log lines for everything that happened since the last call."""
-        for name, robot in self._robots.items():
-            seen, before = _seen(robot), self._seen.get(name)
-            self._seen[name] = seen
-            if before is not None and before != seen and not robot.silence:
-                for level, node, message in _changes(before, seen, robot):
-                    yield level, f"/{name}/{node}", message
 
 
 def _changes(before: _Seen, now: _Seen, robot: SimRobot) -> Iterator[Line]:
@@ -274,27 +247,18 @@ def health(robot: SimRobot) -> Iterator[Message]:
 def _take_pose(robot: SimRobot, message: Message) -> None:
     """Take a pose on its floor; one in a foreign frame is dropped silently."""
     if message["header"]["frame_id"].lstrip("/") == robot.floor.name:
-        robot.belief.place(_flat(message["pose"]["pose"]), robot.pose)
+        robot.belief.place(flat(message["pose"]["pose"]), robot.pose)
 
 
 def _take_goal(robot: SimRobot, message: Message) -> None:
     if message["header"]["frame_id"].lstrip("/") == robot.floor.name:
-        robot.visit(_flat(message["pose"]))
+        robot.visit(flat(message["pose"]))
 
 
 def _cancel_goal(robot: SimRobot, message: Message) -> None:
     """Stop; the only id known here is the empty one, for every goal."""
     if not message["id"]:
         robot.visit(None)
-
-
-def _flat(pose: Message) -> Pose:
-    turn, at = pose["orientation"], pose["position"]
-    try:
-        yaw = yaw_of_quaternion(turn["x"], turn["y"], turn["z"], turn["w"])
-    except ValueError:
-        yaw = 0.0
-    return Pose(at["x"], at["y"], yaw)
 
 
 SUBSCRIPTIONS: Mapping[str, tuple[str, Callable[[SimRobot, Message], None]]] = {

@@ -1,55 +1,35 @@
-"""The simulated fleet, advanced step by step: no clock, no I/O, random only by the seed."""
+"""The robots of the source's stack and their orders. Pure."""
 
-import random
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
-from fleet_tui.simulator.robot import LOW, STEP, SimRobot, robot_numbers
-from fleet_tui.simulator.warehouse import SimFloor, build_building
+from fleet_tui.simulator.robot import LOW, SimRobot
+from fleet_tui.simulator.warehouse import SimFloor
+from fleet_tui.simulator.world import SimWorld
 
 Values = dict[str, Any]
 
 OWN_REQUESTS = 9000  # request ids of orders the warehouse itself makes start above this
 
 
-class World:
-    """`robots` robots on `floors` floors. The same seed with the same calls at the same steps gives the same
-    run. `quiet`: no orders of its own, no obstacles, no silence, no low batteries."""
+class World(SimWorld[SimRobot]):
+    """Robots that keep queues of orders, on floors that may be redrawn."""
 
     def __init__(
         self, robots: int, floors: int, seed: int = 0, quiet: bool = False, first: int = 0, step: int = 1
     ) -> None:
-        self._rng = random.Random(seed)
-        self._quiet = quiet
-        self.building = build_building(floors)
-        self.robots = {f"robot_{i}": self._new_robot(i) for i in robot_numbers(robots, first, step)}
-        self.time = 0.0
-        """Seconds since the start."""
-        self.troubles: list[Callable[[float], None]] = []
-        """Called at every step with the seconds that pass."""
-        self._owed = 0.0
+        super().__init__(robots, floors, seed, quiet, first, step)
         self._requests = OWN_REQUESTS
         self._silence_in = self._rng.uniform(180.0, 240.0)
         self._patience = dict.fromkeys(self.robots, 0.0)
         if not quiet:
             self._employ()
 
-    def step(self, dt: float) -> None:
-        """Let dt seconds pass, in steps of fixed length; a remainder waits for the next call."""
-        self._owed += dt
-        while self._owed > STEP - 1e-9:
-            self._owed -= STEP
-            self.time += STEP
-            for robot in self.robots.values():
-                robot.step()
-            for trouble in self.troubles:
-                trouble(STEP)
-            if not self._quiet:
-                self._employ()
-                self._silence()
+    def _live(self) -> None:
+        for robot in self.robots.values():
+            robot.step()
 
     def answer(self, service: str, args: Mapping[str, Any]) -> Values:
-        """The answer of one of a robot's services; `args` complete and of the right types."""
         _, name, _, verb = service.split("/")
         robot = self.robots[name]
         match verb:
@@ -91,7 +71,7 @@ class World:
         robot.take(start, end, request_id, loaded)
         return _status(request_id, "ACCEPTED")
 
-    def _new_robot(self, index: int) -> SimRobot:
+    def _new_robot(self, turn: int, index: int) -> SimRobot:
         """Robots start in turn on all floors, spread over the vertices."""
         floor = self.building.floors[index % len(self.building.floors)]
         vertices = tuple(floor.graph.vertices)
@@ -120,13 +100,6 @@ class World:
             ends = [id_ for id_ in self._rng.choice(self.building.floors).labels if id_ != start]
             end = self._rng.choice(ends) if ends else end
         return start, end
-
-    def _silence(self) -> None:
-        """Silence one robot briefly every 3 to 4 minutes, as during a Wi-Fi handover."""
-        self._silence_in -= STEP
-        if self._silence_in <= 0.0 and self.robots:
-            self._silence_in = self._rng.uniform(180.0, 240.0)
-            self._rng.choice(tuple(self.robots.values())).silence = self._rng.uniform(1.0, 3.0)
 
 
 def _status(request_id: int, status: str) -> Values:

@@ -81,7 +81,6 @@ class SimDispatcher:
         return None if answer is None or self.mute else (request_id, answer)
 
     def step(self, dt: float) -> None:
-        """Let fleets bid for dt seconds."""
         for one in list(self.active):
             one.left -= dt
             if one.left <= 0.0:

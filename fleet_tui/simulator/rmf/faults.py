@@ -1,23 +1,24 @@
 """Faults of fleets, of their robots, and of the dispatcher."""
 
 import math
-from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from fleet_tui.simulator.faults import Faults, wire
+from fleet_tui.simulator.faults import wire
+from fleet_tui.simulator.faults.plays import FLAT, Faults, every, having, robot_of
 
 if TYPE_CHECKING:
     # The command line lists the faults: it must not wait for the server to be imported.
+    from fleet_tui.simulator.rmf.dispatcher import SimDispatcher
     from fleet_tui.simulator.rmf.fleet import RmfFleet
-    from fleet_tui.simulator.rmf.member import SimMember
+    from fleet_tui.simulator.rmf.lifts import SimDoor, SimLift
+    from fleet_tui.simulator.robot import SimRobot
     from fleet_tui.simulator.server import RosbridgeServer
 
 AGAIN = 20.0
 """Seconds after which a dispatcher restarts."""
-FLAT = 8.0
 FIRE = 3
 CLOSED = (2, 5)
-"""Per cent."""
+ISSUE = {"category": "lift", "detail": "lift_1 does not answer"}
 PACKAGES = ("rmf_fleet_msgs", "rmf_task_msgs", "rmf_building_map_msgs", "rmf_lift_msgs", "rmf_door_msgs")
 
 
@@ -29,36 +30,16 @@ def fleet_at(server: "RosbridgeServer", robot: str) -> "RmfFleet":
     return fleet
 
 
-def _member(change: "Callable[[SimMember], None]") -> wire.Play:
-    return lambda server, robot: change(fleet_at(server, robot).robots[robot])
+def _body(server: "RosbridgeServer", robot: str) -> "SimRobot":
+    return fleet_at(server, robot).robots[robot].body
 
 
-def _lost(member: "SimMember") -> None:
-    member.silence = math.inf
+def _dispatcher(server: "RosbridgeServer", robot: str) -> "SimDispatcher":
+    return fleet_at(server, robot).dispatcher
 
 
-def _stuck(member: "SimMember") -> None:
-    member.body.block()
-
-
-def _issue(member: "SimMember") -> None:
-    member.issues = [{"category": "lift", "detail": "lift_1 does not answer"}]
-
-
-def _battery(member: "SimMember") -> None:
-    member.body.battery = FLAT
-
-
-def _refuse(server: "RosbridgeServer", robot: str) -> None:
-    fleet_at(server, robot).dispatcher.refuses = "out of service"
-
-
-def _deaf(server: "RosbridgeServer", robot: str) -> None:
-    fleet_at(server, robot).dispatcher.deaf = True
-
-
-def _mute(server: "RosbridgeServer", robot: str) -> None:
-    fleet_at(server, robot).dispatcher.mute = True
+def _stuck(server: "RosbridgeServer", robot: str) -> None:
+    _body(server, robot).block()
 
 
 def restart_dispatcher(server: "RosbridgeServer", robot: str) -> None:
@@ -73,24 +54,15 @@ def restart_dispatcher(server: "RosbridgeServer", robot: str) -> None:
 
 
 def _restarts(server: "RosbridgeServer", robot: str) -> None:
-    left = AGAIN
-
-    def step(dt: float) -> None:
-        nonlocal left
-        left -= dt / server.speed
-        if left <= 0.0:
-            left = AGAIN
-            restart_dispatcher(server, robot)
-
-    fleet_at(server, robot).troubles.append(step)
+    every(server, robot, AGAIN, lambda: restart_dispatcher(server, robot))
 
 
-def _fire(server: "RosbridgeServer", robot: str) -> None:
-    fleet_at(server, robot).lift.mode = FIRE
+def _lift(server: "RosbridgeServer", robot: str) -> "SimLift":
+    return fleet_at(server, robot).lift
 
 
-def _door(server: "RosbridgeServer", robot: str) -> None:
-    fleet_at(server, robot).doors[0].is_offline = True
+def _door(server: "RosbridgeServer", robot: str) -> "SimDoor":
+    return fleet_at(server, robot).doors[0]
 
 
 def _dispenser(server: "RosbridgeServer", robot: str) -> None:
@@ -101,24 +73,20 @@ def _lanes(server: "RosbridgeServer", robot: str) -> None:
     fleet_at(server, robot).closed_lanes[:] = CLOSED
 
 
-def _unsourced(server: "RosbridgeServer", _robot: str) -> None:
-    server.bridge.services.unsourced |= set(PACKAGES)
-
-
 FAULTS: Faults = {
-    "refuse": ("every request is refused", _refuse),
-    "never": ("requests are neither answered nor carried out", _deaf),
-    "no-answer": ("requests are carried out and never answered", _mute),
+    "refuse": ("every request is refused", having(_dispatcher, refuses="out of service")),
+    "never": ("requests are neither answered nor carried out", having(_dispatcher, deaf=True)),
+    "no-answer": ("requests are carried out and never answered", having(_dispatcher, mute=True)),
     "dispatcher": (f"the dispatcher restarts every {AGAIN:g} s", _restarts),
-    "unsourced": ("the bridge lacks the packages rmf_*_msgs", _unsourced),
-    "fire": ("the lift is in fire mode", _fire),
-    "door": ("a door is offline", _door),
+    "unsourced": ("the bridge lacks the packages rmf_*_msgs", wire.unsourced(*PACKAGES)),
+    "fire": ("the lift is in fire mode", having(_lift, mode=FIRE)),
+    "door": ("a door is offline", having(_door, is_offline=True)),
     "dispenser": ("the dispenser is offline", _dispenser),
     "lanes": (f"{len(CLOSED)} lanes are closed", _lanes),
-    "silent": ("its driver is lost, its fleet adapter goes on", _member(_lost)),
-    "obstacle": ("permanent obstacle", _member(_stuck)),
-    "issue": ("its fleet adapter reports an issue", _member(_issue)),
-    "battery": (f"its battery has {FLAT:g} %", _member(_battery)),
+    "silent": ("its driver is lost, its fleet adapter goes on", having(robot_of, silence=math.inf)),
+    "obstacle": ("permanent obstacle", _stuck),
+    "issue": ("its fleet adapter reports an issue", having(robot_of, issues=[ISSUE])),
+    "battery": (f"its battery has {FLAT:g} %", having(_body, battery=FLAT)),
     "overloaded": (f"the bridge carries {wire.CARRIED:g} messages/s, the rest queues up", wire.overloaded),
     "dead-rosapi": ("no rosapi", wire.dead_rosapi),
 }

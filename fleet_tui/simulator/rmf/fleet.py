@@ -2,32 +2,27 @@
 
 import io
 import json
-import random
 import time
 from collections import deque
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from typing import Any
+from collections.abc import Iterable, Iterator, Sequence
 
 import numpy as np
 from PIL import Image
 
-from fleet_tui.simulator.fleets import Line
+from fleet_tui.simulator.fleets import Fleet, Subscriptions
 from fleet_tui.simulator.floorplan import FREE, HEIGHT, OCCUPIED, ORIGIN, RESOLUTION
 from fleet_tui.simulator.frames import Payload
 from fleet_tui.simulator.logs import HEALTHY, entry
-from fleet_tui.simulator.messages import Topic
+from fleet_tui.simulator.messages import Message, Topic
 from fleet_tui.simulator.rmf.dispatcher import SimDispatch, SimDispatcher
 from fleet_tui.simulator.rmf.lifts import DOORS, MOVING, OPEN, SimDoor, SimLift
 from fleet_tui.simulator.rmf.member import SimMember
 from fleet_tui.simulator.rmf.naming import FLEETS
 from fleet_tui.simulator.rmf.tasks import SimTask
-from fleet_tui.simulator.robot import STEP, robot_numbers
+from fleet_tui.simulator.robot import STEP
 from fleet_tui.simulator.ros.dialect import Dialect
-from fleet_tui.simulator.ros.goals import ActionServer, ServedGoal
-from fleet_tui.simulator.ros_types import ServiceType
-from fleet_tui.simulator.warehouse import Building, SimFloor, build_building
-
-Message = dict[str, Any]
+from fleet_tui.simulator.warehouse import Building, SimFloor
+from fleet_tui.simulator.world import SimWorld
 
 STATES = "/fleet_states"
 UPDATES = "/fleet_state_update"
@@ -64,85 +59,11 @@ BOOL = 4
 """Types of a parameter."""
 
 
-class RmfWorld:
-    """`robots` robots in `fleets` on `floors` floors, their numbers from `first` on, each `step`th.
-
-    `quiet`: no tasks of other clients, no obstacles. `millis`: the wall clock in milliseconds.
-    """
-
-    def __init__(
-        self,
-        robots: int,
-        floors: int,
-        seed: int = 0,
-        quiet: bool = False,
-        first: int = 0,
-        step: int = 1,
-        fleets: tuple[str, ...] = FLEETS,
-        millis: Callable[[], int] = lambda: 0,
-    ) -> None:
-        self._rng = random.Random(seed)
-        self._quiet = quiet
-        self.fleets = fleets
-        self.building = build_building(floors)
-        members = (self._new_member(*one) for one in enumerate(robot_numbers(robots, first, step)))
-        self.robots = {member.name: member for member in members}
-        self.dispatcher = SimDispatcher(self.robots, millis)
-        self.lift = SimLift(self.building)
-        self.doors = [
-            SimDoor(name, floor.name, spot) for floor in self.building.floors for name, spot in DOORS.items()
-        ]
-        self.closed_lanes: list[int] = []
-        """The numbers of closed edges, alike for all fleets."""
-        self.offline = set[str]()
-        """Dispensers and ingestors that are offline."""
-        self.troubles: list[Callable[[float], None]] = []
-        self._owed = 0.0
-        self._next = 3.0
-        self._given = 0
-
-    def _new_member(self, turn: int, index: int) -> SimMember:
-        """Robots start in turn on all floors, spread over the vertices."""
-        row, number = divmod(index, len(self.building.floors))
-        vertices = tuple(self.building.floors[number].graph.vertices)
-        vertex = vertices[(13 * row + 3 * number) % len(vertices)]
-        return SimMember(turn, index, self.building, vertex, self._rng, self._quiet, self.fleets)
-
-    def step(self, dt: float) -> None:
-        """Let dt seconds pass, in steps of fixed length; a remainder waits for the next call."""
-        self._owed += dt
-        while self._owed > STEP - 1e-9:
-            self._owed -= STEP
-            for member in self.robots.values():
-                member.live()
-            self.dispatcher.step(STEP)
-            self.lift.step(self.robots, self.building)
-            for door in self.doors:
-                door.step(self.robots, STEP)
-            for trouble in self.troubles:
-                trouble(STEP)
-            if not self._quiet:
-                self._employ()
-
-    def _employ(self) -> None:
-        """Give an idle robot a task now and then, as another client would."""
-        self._next -= STEP
-        if self._next > 0.0:
-            return
-        self._next = self._rng.uniform(10.0, 25.0)
-        second = [*self.robots.values()][1::2]
-        idle = [member for member in second if not member.tasks]
-        if idle:
-            member = self._rng.choice(idle)
-            self._given += 1
-            places = tuple(self._rng.sample(sorted(member.places), 2))
-            member.assign(SimTask(f"patrol.web-{self._given}", places, "rmf-web"))
-
-
-class RmfFleet(RmfWorld):
-    """The robots of an RmfWorld on the wire. `period`: seconds between two states of a fleet."""
+class RmfFleet(SimWorld[SimMember], Fleet):
+    """Robots in `fleets`. `period`: seconds between two states of a fleet."""
 
     kind = "rmf"
+    robots: dict[str, SimMember]
 
     def __init__(
         self,
@@ -155,15 +76,51 @@ class RmfFleet(RmfWorld):
         fleets: tuple[str, ...] = FLEETS,
         period: float = 1.0,
     ) -> None:
-        super().__init__(robots, floors, seed, quiet, first, step, fleets, _millis)
-        self.actions: Mapping[str, ActionServer] = {}
+        self.fleets = fleets
+        super().__init__(robots, floors, seed, quiet, first, step)
+        self.dispatcher = SimDispatcher(self.robots, _millis)
+        self.lift = SimLift(self.building)
+        self.doors = [
+            SimDoor(name, floor.name, spot) for floor in self.building.floors for name, spot in DOORS.items()
+        ]
+        self.closed_lanes: list[int] = []
+        """The numbers of closed edges, alike for all fleets."""
+        self.offline = set[str]()
+        """Dispensers and ingestors that are offline."""
         self.period = period
-        self._due = self._tick = 0.0
+        self._next = 3.0
+        self._given = 0
+        self._due = 0.0
         self._told_lanes: list[int] = []
         self._seen = dict.fromkeys(self.robots, time.time())
         self._responses: list[tuple[str, Message]] = []
         self._last_tasks: deque[Payload] = deque(maxlen=TASKS_KEPT)
         self._last_updates: dict[str, Payload] = {}
+
+    def _new_robot(self, turn: int, index: int) -> SimMember:
+        _, vertex = self._start_of(index)
+        return SimMember(turn, index, self.building, vertex, self._rng, self._quiet, self.fleets)
+
+    def _live(self) -> None:
+        for member in self.robots.values():
+            member.live()
+        self.dispatcher.step(STEP)
+        self.lift.step(self.robots, self.building)
+        for door in self.doors:
+            door.step(self.robots, STEP)
+
+    def _employ(self) -> None:
+        self._next -= STEP
+        if self._next > 0.0:
+            return
+        self._next = self._rng.uniform(10.0, 25.0)
+        second = [*self.robots.values()][1::2]
+        idle = [member for member in second if not member.tasks]
+        if idle:
+            member = self._rng.choice(idle)
+            self._given += 1
+            places = tuple(self._rng.sample(sorted(member.places), 2))
+            member.assign(SimTask(f"patrol.web-{self._given}", places, "rmf-web"))
 
     def topics(self, loaded_at: float, dialect: Dialect) -> Iterator[Topic]:
         """Every topic: none is of one robot alone."""
@@ -187,8 +144,7 @@ class RmfFleet(RmfWorld):
     def _lanes(self) -> list[Payload]:
         return [Payload({"fleet_name": one, "closed_lanes": self.closed_lanes}) for one in self.fleets]
 
-    def subscriptions(self) -> Mapping[str, tuple[str, Callable[[Message], None]]]:
-        """The topic of requests."""
+    def subscriptions(self) -> Subscriptions:
         return {REQUESTS: ("rmf_task_msgs/ApiRequest", self.take)}
 
     def take(self, message: Message) -> None:
@@ -233,26 +189,7 @@ class RmfFleet(RmfWorld):
             for payload in self._lanes():
                 yield LANES, payload
 
-    def services(self, dialect: Dialect) -> Mapping[str, ServiceType]:
-        """None: requests are messages."""
-        return {}
-
-    def answer(self, service: str, args: Mapping[str, Any]) -> Message:
-        """Nothing."""
-        return {}
-
-    def feedback(self, server: ActionServer, goal: ServedGoal, dialect: Dialect) -> Message | None:
-        """Nothing."""
-
-    def result(self, server: ActionServer, goal: ServedGoal) -> Message | None:
-        """Nothing."""
-
-    def lines(self) -> Iterable[Line]:
-        """Nothing."""
-        return ()
-
     def health(self) -> Iterable[Message]:
-        """Return the battery of every robot that is not silent."""
         for robot in self.robots.values():
             if not robot.silence:
                 yield entry(robot, "battery", HEALTHY, "charged", percent=f"{robot.body.battery:.1f}")

@@ -24,8 +24,6 @@ OFFLINE = 3
 
 
 class SimLift:
-    """One lift between all floors."""
-
     mode = AGV
 
     def __init__(self, building: Building) -> None:
@@ -34,7 +32,6 @@ class SimLift:
         self.session = ""
 
     def step(self, members: Mapping[str, SimMember], building: Building) -> None:
-        """Follow the robot that rides, else stay."""
         riding = (
             one
             for one in members.values()

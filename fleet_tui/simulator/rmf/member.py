@@ -46,7 +46,6 @@ class SimMember:
 
     @property
     def active(self) -> SimTask | None:
-        """The task under way."""
         first = self.tasks[0] if self.tasks else None
         return first if first is not None and first.status == UNDERWAY else None
 
@@ -70,7 +69,6 @@ class SimMember:
         self.changed.append(task)
 
     def cancel_task(self, task: SimTask, labels: list[str], millis: int) -> None:
-        """End a task of this robot."""
         is_active = task is self.active
         task.cancel(labels, millis)
         self.tasks.remove(task)

@@ -33,11 +33,9 @@ class SimTask:
 
     @property
     def is_held(self) -> bool:
-        """Tell whether an interruption is open."""
         return any("resumed_by" not in one for one in self.interruptions.values())
 
     def interrupt(self, labels: list[str], millis: int) -> str:
-        """Interrupt it, and return the token."""
         token = str(next(self._tokens))
         self.interruptions[token] = {"unix_millis_request_time": millis, "labels": labels}
         return token

@@ -46,12 +46,10 @@ class ActionlibGoal:
 
     @property
     def over(self) -> bool:
-        """Tell whether it has ended."""
         return self.status in ENDED
 
     @property
     def report(self) -> GoalReport:
-        """Return the goal with its current status."""
         return GoalReport(self.id, self.stamp, self.status, self.text)
 
 
@@ -83,7 +81,6 @@ class SimpleActionServer:
         return [goal for goal in self.goals.values() if goal.request is not None and not goal.over]
 
     def listed(self) -> list[GoalReport]:
-        """Return the goals with their current status."""
         return [goal.report for goal in self.goals.values()]
 
     def take(self, id_: str, stamp: int, request: Message, rejected: bool = False) -> None:
@@ -140,7 +137,6 @@ class SimpleActionServer:
         self.said += [goal.report, self.listed()]
 
     def age(self, dt: float) -> None:
-        """Advance the time by dt seconds."""
         for goal in list(self.goals.values()):
             goal.left -= dt
             if goal.left <= 0.0:

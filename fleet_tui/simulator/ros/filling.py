@@ -2,11 +2,12 @@
 
 import base64
 from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from fleet_tui.simulator.ros.definitions import Fields, RosField
+from fleet_tui.simulator.ros.definitions import SERVICES, Fields, RosField
 from fleet_tui.simulator.ros.dialect import Dialect, Message
 from fleet_tui.simulator.ros.errors import ServiceError
 
@@ -16,6 +17,24 @@ ZEROS: Mapping[str, Any] = {"string": "", "bool": False, "float32": 0.0, "float6
     INTEGERS, 0
 )
 TIMES = ("secs", "nsecs"), ("sec", "nanosec")
+
+
+@dataclass(frozen=True)
+class ServiceType:
+    """A service type with the fields of its request."""
+
+    name: str
+    fields: Fields
+
+
+def service_type(dialect: Dialect, name: str) -> ServiceType:
+    """A service type by its ROS 1 name."""
+    return ServiceType(dialect.service_type(name), SERVICES[name][0])
+
+
+def fill_request(dialect: Dialect, type_: ServiceType, given: object, now: float) -> Message:
+    """The complete request of a service. Raises ServiceError."""
+    return fill(dialect, dialect.part(type_.name, "Request"), type_.fields, given, now)
 
 
 def fill(dialect: Dialect, name: str, fields: Fields, given: object, now: float) -> Message:

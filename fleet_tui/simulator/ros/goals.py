@@ -38,7 +38,6 @@ class ServedGoal:
 
     @property
     def over(self) -> bool:
-        """Tell whether it has ended."""
         return self.status >= SUCCEEDED
 
 

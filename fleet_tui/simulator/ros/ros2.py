@@ -1,14 +1,13 @@
 """ROS 2 behind rosbridge_server 2.7 (Jazzy)."""
 
 import math
-from collections.abc import Collection, Mapping
+from collections.abc import Mapping
 from types import MappingProxyType
 
 import numpy as np
 
 from fleet_tui.simulator.ros.definitions import ACTIONS, MESSAGES, PACKAGES, SERVICES, Fields, RosField
-from fleet_tui.simulator.ros.dialect import Dialect, Message
-from fleet_tui.simulator.ros.ros1 import COMMON_VERBS
+from fleet_tui.simulator.ros.dialect import COMMON_VERBS, Dialect, Message
 
 ACTION_VERBS = ("action_type", "action_goal_details", "action_result_details", "action_feedback_details")
 _RENAMED = {"rosgraph_msgs/Log": "rcl_interfaces/Log", "rosapi": "rosapi_msgs"}
@@ -52,26 +51,27 @@ def _messages() -> Mapping[str, Fields]:
 _MESSAGES_BY_SHORT_NAME = _messages()
 
 
-class Ros2:
-    """The dialect of ROS 2: `package/msg/Name`, sec and nanosec in times, no seq."""
+class Ros2(Dialect):
+    """`package/msg/Name`, sec and nanosec in times, no seq."""
 
-    version, distro = 2, "jazzy"
-    rosapi_verbs: Collection[str] = (*COMMON_VERBS, *ACTION_VERBS, "get_ros_version", "interfaces")
-    call_timeout: float | None = 5.0
-    max_message_size: int | None = 10_000_000
+    version = 2
+    distro = "jazzy"
+    rosapi_verbs = (*COMMON_VERBS, *ACTION_VERBS, "get_ros_version", "interfaces")
+    call_timeout = 5.0
+    max_message_size = 10_000_000
     reads_binary = True
-    never_cbor: Collection[str] = ("diagnostic_msgs/DiagnosticArray",)
+    never_cbor = ("diagnostic_msgs/DiagnosticArray",)
     lingers = 0.4
-    fragment_id: int | str = "0"
+    fragment_id = "0"
     aligned = True
     keeps_log = True
     joins_wrong_types = True
     fragile = True
-    params: Mapping[str, object] = MappingProxyType(
+    params = MappingProxyType(
         {"/rosbridge_websocket:port": 9090, "/rosbridge_websocket:default_call_service_timeout": 5.0}
     )
     discovers = True
-    defaults: Mapping[tuple[str, str], float] = MappingProxyType({("geometry_msgs/Quaternion", "w"): 1.0})
+    defaults = MappingProxyType({("geometry_msgs/Quaternion", "w"): 1.0})
     log_levels: Mapping[int, int] = MappingProxyType({1: 10, 2: 20, 4: 30, 8: 40, 16: 50})
 
     def message_type(self, name: str) -> str:
@@ -82,19 +82,15 @@ class Ros2:
         return _named(name, "msg")
 
     def action_type(self, name: str) -> str:
-        """`package/action/Name`."""
         return _named(name, "action")
 
     def service_type(self, name: str) -> str:
-        """`package/srv/Name`."""
         return _named(name, "srv")
 
     def short(self, type_: str) -> str:
-        """`package/Name`."""
         return _short(type_)
 
     def part(self, type_: str, part: str) -> str:
-        """`package/Name_Request`."""
         return f"{_short(type_)}_{part}"
 
     def rosapi_type(self, name: str) -> str:
@@ -112,27 +108,22 @@ class Ros2:
         return np.array(items, dtype=float)
 
     def got_param(self, value: str | None, request: Message) -> Message:
-        """The value as JSON, and whether there was one."""
         node = request["name"].partition(":")[0]
         reason = f"Service {node}/get_parameters is not available" if value is None else ""
         value = value or request["default_value"] or '""'
         return {"value": value, "successful": not reason, "reason": reason}
 
     def fields(self, type_: str) -> Fields | None:
-        """The fields of a message type, `package/Name` or `package/msg/Name`."""
         return _MESSAGES_BY_SHORT_NAME.get(_short(type_))
 
     def primitive(self, rostype: str) -> str:
-        """The name in the interface definition language."""
         return _PRIMITIVES.get(rostype, rostype)
 
     def time(self, seconds: float) -> Message:
-        """Seconds and nanoseconds."""
         whole = math.floor(seconds)
         return {"sec": whole, "nanosec": int((seconds - whole) * 1e9)}
 
     def header(self, seq: int, seconds: float, frame_id: str) -> Message:
-        """A header without a count."""
         return {"stamp": self.time(seconds), "frame_id": frame_id}
 
     def integer(self, name: str, value: int, bits: int, signed: bool) -> int:
@@ -141,13 +132,11 @@ class Ros2:
         return (value - lowest) % (1 << bits) + lowest
 
     def wrong(self, message: str, name: str, rostype: str, value: object) -> str:
-        """Name message, field and both types; null has another text."""
         if value is None:
             return "msg is not a primitive type, but a <class 'NoneType'>"
-        return f"{message} message requires a {rostype} for field {name}, but got a {type(value)}"
+        return super().wrong(message, name, rostype, value)
 
     def unknown_package(self, package: str, kind: str) -> str:
-        """Python can't import it."""
         missing = f"No module named '{package}'"
         return f"Unable to import {package}.{kind} from package {package}. Caused by: {missing}"
 
@@ -160,7 +149,6 @@ class Ros2:
         return None
 
     def log(self, seq: int, seconds: float, level: int, node: str, text: str) -> Message:
-        """rcl_interfaces/msg/Log."""
         return {
             "stamp": self.time(seconds),
             "level": self.log_levels[level],
@@ -172,4 +160,4 @@ class Ros2:
         }
 
 
-ROS2: Dialect = Ros2()
+ROS2 = Ros2()

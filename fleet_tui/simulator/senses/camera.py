@@ -2,8 +2,6 @@
 
 import io
 import math
-from collections.abc import Callable
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,9 +10,9 @@ from PIL import Image
 from fleet_tui.model.geometry import Pose
 from fleet_tui.simulator.floorplan import RESOLUTION, Cells
 from fleet_tui.simulator.frames import Payload
-from fleet_tui.simulator.messages import Message, Topic
+from fleet_tui.simulator.messages import Message, Topic, headers
 from fleet_tui.simulator.ros.dialect import Dialect
-from fleet_tui.simulator.senses.laser import cells_along
+from fleet_tui.simulator.senses.laser import Surveyor, cells_along
 
 TYPE = "sensor_msgs/CompressedImage"
 NAME = "camera/image_raw/compressed"
@@ -74,12 +72,11 @@ def message(header: Message, data: bytes, format_: str = FORMAT) -> Payload:
     return Payload({"header": header, "format": format_, "data": data})
 
 
-def camera_topic(
-    robot: Any, cells: Callable[[], Cells], header: Callable[[float], Message], dialect: Dialect
-) -> Topic:
-    """The pictures of a robot, two a second, from its true pose. `cells` returns those of its floor."""
+def camera_topic(robot: Surveyor, dialect: Dialect) -> Topic:
+    """The pictures of a robot, two a second, from its true pose."""
+    header = headers(dialect, f"{robot.name}/camera")
 
     def payload(now: float) -> Payload:
-        return message(header(now), jpeg(view(cells(), robot.pose)))
+        return message(header(now), jpeg(view(robot.floor.cells, robot.pose)))
 
     return Topic(f"/{robot.name}/{NAME}", dialect.message_type(TYPE), payload, robot)

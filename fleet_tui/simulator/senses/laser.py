@@ -1,9 +1,9 @@
 """The laser of a simulated robot: its beams end at the walls of the floor's own plan."""
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Iterable, Iterator
 from itertools import cycle
-from typing import Any
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,17 +11,31 @@ from numpy.typing import NDArray
 from fleet_tui.model.geometry import Pose
 from fleet_tui.simulator.floorplan import OCCUPIED, ORIGIN, RESOLUTION, Cells
 from fleet_tui.simulator.frames import Floats, Payload
-from fleet_tui.simulator.messages import Message, Topic, float32
+from fleet_tui.simulator.messages import Message, Topic, float32, headers, solid
 from fleet_tui.simulator.ros.dialect import Dialect
-from fleet_tui.simulator.senses.mount import MOUNT
+from fleet_tui.simulator.warehouse import SimFloor
+from fleet_tui.simulator.world import Body
 
 BEAMS = 720
 RANGE = 12.0  # metres
 NEAREST = 0.1  # metres
 SCAN = "sensor_msgs/LaserScan"
+MOUNT = Pose(0.2, 0.05, math.pi / 18)
+"""Its place on every robot: left of the middle of the front, turned to the left."""
+STATIC_FRAMES = "/tf_static"
+TRANSFORMS = "tf2_msgs/TFMessage"
 
 _ANGLES = -math.pi + 2.0 * math.pi / BEAMS * np.arange(BEAMS)
 _STEPS = np.arange(NEAREST, RANGE, RESOLUTION)
+
+
+class Surveyor(Body, Protocol):
+    """A robot with senses."""
+
+    pose: Pose
+
+    @property
+    def floor(self) -> SimFloor: ...
 
 
 def cells_along(
@@ -72,15 +86,38 @@ def scan(cells: Cells, pose: Pose, header: Message) -> Payload:
     )
 
 
-def scan_topic(
-    robot: Any, cells: Callable[[], Cells], header: Callable[[float], Message], dialect: Dialect
-) -> Topic:
+def scan_topic(robot: Surveyor, dialect: Dialect) -> Topic:
     """The scans of a robot, five a second at the usual rate: from its true pose and the place of its laser,
-    wherever it believes to be. `cells` returns those of its floor."""
+    wherever it believes to be."""
+    header = headers(dialect, f"{robot.name}/laser")
 
     def payload(now: float) -> Payload:
-        return scan(cells(), robot.pose.after(MOUNT), header(now))
+        return scan(robot.floor.cells, robot.pose.after(MOUNT), header(now))
 
     turns: Iterator[bool] = cycle((True, False))
     type_ = dialect.message_type(SCAN)
     return Topic(f"/{robot.name}/scan", type_, payload, robot, fast=True, due=lambda: next(turns))
+
+
+def frames_topic(robots: Iterable[str], loaded_at: float, dialect: Dialect) -> Topic:
+    """The static frames of all robots, up to the laser. Each has its own publisher, whose message late
+    subscribers get."""
+    payloads = [Payload({"transforms": list(_frames(robot, loaded_at, dialect))}) for robot in robots]
+    nothing = Payload({"transforms": []})
+    type_ = dialect.message_type(TRANSFORMS)
+    return Topic(STATIC_FRAMES, type_, lambda _: nothing, latched=True, history=lambda: payloads)
+
+
+def _frames(robot: str, at: float, dialect: Dialect) -> Iterator[Message]:
+    for parent, child, pose, height in (
+        ("base_footprint", "base_link", Pose(0.0, 0.0), 0.1),
+        ("base_link", "laser", MOUNT, 0.25),
+    ):
+        yield {
+            "header": dialect.header(0, at, f"{robot}/{parent}"),
+            "child_frame_id": f"{robot}/{child}",
+            "transform": {
+                "translation": {"x": pose.x, "y": pose.y, "z": height},
+                "rotation": solid(pose)["orientation"],
+            },
+        }

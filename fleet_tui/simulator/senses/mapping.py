@@ -2,16 +2,14 @@
 
 from collections.abc import Callable, Iterator, Mapping
 from functools import partial
-from typing import Any, Protocol
 
 import numpy as np
 
-from fleet_tui.model.geometry import Pose
 from fleet_tui.simulator.floorplan import ORIGIN, RESOLUTION, UNKNOWN, Cells
 from fleet_tui.simulator.frames import Payload
 from fleet_tui.simulator.messages import Message, Topic
 from fleet_tui.simulator.ros.dialect import Dialect
-from fleet_tui.simulator.senses.laser import ends
+from fleet_tui.simulator.senses.laser import Surveyor, ends
 from fleet_tui.simulator.warehouse import SimFloor
 
 EVERY = 1.0  # seconds of world time between two maps, and two scans that make one
@@ -19,21 +17,11 @@ MARGIN = 20  # cells kept around what is known
 MODES = ("navigation", "mapping")
 
 
-class Mapper(Protocol):
-    """A robot that can map."""
-
-    name: str
-    pose: Pose
-
-    @property
-    def floor(self) -> SimFloor: ...
-
-
 class Surveys:
     """The live maps of the floors of one fleet, and the robots that map. `topics_of` returns the map topics
     of a floor."""
 
-    def __init__(self, robots: Mapping[str, Any], topics_of: Callable[[SimFloor], list[str]]) -> None:
+    def __init__(self, robots: Mapping[str, Surveyor], topics_of: Callable[[SimFloor], list[str]]) -> None:
         self._robots = robots
         self._topics_of = topics_of
         self.mapping: set[str] = set()
@@ -60,7 +48,7 @@ class Surveys:
             return
         self._since = 0.0
         for name in self.mapping:
-            robot: Mapper = self._robots[name]
+            robot = self._robots[name]
             floor = robot.floor
             known = self._known.setdefault(floor.name, np.full_like(floor.cells, UNKNOWN))
             rows, columns, first = ends(floor.cells, robot.pose)
@@ -83,7 +71,6 @@ class Surveys:
         return part, (ORIGIN[0] + low[1] * RESOLUTION, ORIGIN[1] + low[0] * RESOLUTION)
 
     def topics(self, dialect: Dialect) -> Iterator[Topic]:
-        """The mode of each robot."""
         for name in self._robots:
             type_ = dialect.message_type("std_msgs/String")
             yield Topic(f"/{name}/mode", type_, partial(self._mode, name), latched=True)

@@ -16,9 +16,8 @@ from websockets.exceptions import ConnectionClosed
 
 from fleet_tui.simulator.frames import Frame, to_json
 from fleet_tui.simulator.ros.errors import BridgeError
-from fleet_tui.simulator.sessions.client import Client
+from fleet_tui.simulator.sessions.client import COMPRESSIONS, Client, ClientSubscription, SubscribeRequest
 from fleet_tui.simulator.sessions.operations import Operation, problem_of
-from fleet_tui.simulator.sessions.outbox import COMPRESSIONS, ClientSubscription, SubscribeRequest
 from fleet_tui.simulator.topics import TopicDesk
 
 UNFINISHED = 100  # messages of one client that may be incomplete at a time
@@ -27,8 +26,6 @@ _RESPONSE = '{"op":"service_response"'
 
 
 class Session:
-    """One client's connection."""
-
     def __init__(self, connection: ServerConnection, bridge: TopicDesk) -> None:
         self.connection = connection
         self.client = Client(connection.remote_address[0])
@@ -58,7 +55,7 @@ class Session:
             return
         if not isinstance(operation, dict):
             return
-        self._bridge.note(operation)
+        self._bridge.received.append(operation)
         if problem := problem_of(operation, self._bridge.dialect.version):
             self._bridge.complain(self.client, operation, problem)
             return
@@ -183,8 +180,6 @@ def split(text: str, size: int, default_id: int | str) -> Iterator[str]:
 
 
 class Assembler:
-    """Reassembles a client's fragments."""
-
     def __init__(self) -> None:
         self._parts: dict[object, dict[int, str]] = {}
 

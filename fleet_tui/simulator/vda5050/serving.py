@@ -3,7 +3,6 @@
 import asyncio
 import json
 import random
-import threading
 import time
 from collections.abc import AsyncIterator, Callable, Mapping, Sequence
 from contextlib import AbstractAsyncContextManager, asynccontextmanager
@@ -13,9 +12,9 @@ from typing import Any, cast
 import paho.mqtt.client as mqtt
 from paho.mqtt.enums import CallbackAPIVersion
 
-from fleet_tui.signals import stopped_by_signal
-from fleet_tui.simulator.faults import Faults, parse_faults_of
-from fleet_tui.simulator.run import await_stdin
+from fleet_tui.simulator.faults import parse_faults_of
+from fleet_tui.simulator.faults.plays import Faults
+from fleet_tui.simulator.run import serve_until_stopped
 from fleet_tui.simulator.vda5050.broker import broker, free_port, has_broker
 from fleet_tui.simulator.vda5050.faults import FAULTS
 from fleet_tui.simulator.vda5050.vehicle import SimVehicle
@@ -95,7 +94,6 @@ class VehicleClient:
             return  # as a vehicle that can't read it
 
     def close(self) -> None:
-        """Sign off."""
         self._publish("connection", {"connectionState": "OFFLINE"}, 1, True)
         self._client.disconnect()
         self._client.loop_stop()
@@ -125,24 +123,9 @@ def serve(
 ) -> None:
     """Serve vehicles until stopped: `rate` visualizations a second, port 0: a free one. Raises FleetError,
     and SystemExit(130) on Ctrl-C."""
-    if asyncio.run(_serve(vehicles, port or free_port(), rate, announce, stop_with_stdin, speed)):
+    vehicles_served = served(vehicles, port or free_port(), rate, speed)
+    if asyncio.run(serve_until_stopped([], announce, stop_with_stdin, vehicles_served)):
         raise SystemExit(130)
-
-
-async def _serve(
-    vehicles: Sequence[SimVehicle],
-    port: int,
-    rate: float,
-    announce: Callable[[Sequence[str]], None],
-    stop_with_stdin: bool,
-    speed: float,
-) -> bool:
-    stopped = stopped_by_signal()
-    async with served(vehicles, port, rate, speed) as url:
-        announce([url])
-        if stop_with_stdin:
-            threading.Thread(target=await_stdin, args=(stopped,), daemon=True).start()
-        return await stopped
 
 
 @asynccontextmanager
@@ -184,7 +167,6 @@ def header(vehicle: SimVehicle, number: int, stamp: str) -> dict[str, Any]:
 
 
 def position(vehicle: SimVehicle) -> Mapping[str, Any]:
-    """Return the pose."""
     return {
         "x": round(vehicle.x, 3),
         "y": round(vehicle.y, 3),
@@ -221,7 +203,6 @@ def state(vehicle: SimVehicle) -> dict[str, Any]:
 
 
 def factsheet() -> dict[str, Any]:
-    """Return the properties, without a header."""
     return {
         "typeSpecification": {"seriesName": "simulated", "agvKinematic": "DIFF", "agvClass": "CARRIER"},
         "physicalParameters": {"speedMin": 0.1, "speedMax": 1.2, "width": 0.6, "length": 0.9},

@@ -49,11 +49,9 @@ class SimVehicle:
 
     @property
     def is_running(self) -> bool:
-        """Tell whether an order is being driven."""
         return bool(self.nodes)
 
     def step(self, dt: float) -> None:
-        """Advance the time by dt seconds."""
         self._finish_cancelling()
         if self.charging:
             self.battery = min(100.0, self.battery + CHARGE * dt)
@@ -125,7 +123,6 @@ class SimVehicle:
         return None
 
     def take_action(self, action: Mapping[str, Any]) -> None:
-        """Carry out an instant action."""
         self.is_news = True
         match action.get("actionType"):
             case "startPause" | "stopPause" as type_:

@@ -2,8 +2,8 @@
 
 from pathlib import Path
 
+from fleet_tui.simulator.graph_files import write_graphs
 from fleet_tui.simulator.kinds import play
-from fleet_tui.simulator.navigating.graph_file import write_graphs
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.cli import asked, run
 

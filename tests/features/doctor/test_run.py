@@ -17,7 +17,7 @@ from PIL import Image
 from fleet_tui.config.schema import Config
 from fleet_tui.features.doctor.listening import SHARE
 from fleet_tui.links.discovery.rosapi import AT_ONCE_ROS1
-from fleet_tui.simulator.oh_ressources.world import World
+from fleet_tui.simulator.oh_ressources.fleet import OhFleet
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.cli import config_file, run, started
 from tests.support.polling import HANGS
@@ -141,7 +141,7 @@ async def test_a_short_timeout_is_a_word_not_a_wrong_verdict(
 async def test_a_hundred_robots_fit_into_the_default_time(tmp_path: Path) -> None:
     """As slow as a real bridge: 20 ms for a subscribe, and for an answer of rosapi. How busy this machine is
     does not count: only the time that the bridge takes."""
-    server = RosbridgeServer(World(robots=100, floors=1, seed=1, quiet=True), subscribe_delay=0.02)
+    server = RosbridgeServer(OhFleet(robots=100, floors=1, seed=1, quiet=True), subscribe_delay=0.02)
     for question in server.bridge.services.rosapi.services:
         server.bridge.services.deliveries[question] = lambda call, frame: call.reply_in(0.02, frame)
     await server.start()

@@ -20,10 +20,10 @@ from fleet_tui.features.doctor.run import doctor
 from fleet_tui.links.rosbridge.probes import OF_NODE
 from fleet_tui.robots.profile import Profile
 from fleet_tui.robots.ros.type_names import same_type
+from fleet_tui.simulator.graph_files import write_graphs
 from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.nav2.navigation import NODES
-from fleet_tui.simulator.navigating.graph_file import write_graphs
-from fleet_tui.simulator.ros_types import ServiceType
+from fleet_tui.simulator.ros.filling import ServiceType
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.driven_time import TIME
 from tests.support.site_faults import (

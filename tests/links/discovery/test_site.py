@@ -9,7 +9,7 @@ import pytest
 
 from fleet_tui.config.load import from_text
 from fleet_tui.simulator.kinds import KINDS
-from fleet_tui.simulator.oh_ressources.world import World
+from fleet_tui.simulator.oh_ressources.fleet import OhFleet
 from fleet_tui.simulator.run import DIALECTS
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.text.errors import FleetError, LinkError
@@ -125,7 +125,7 @@ async def test_a_bridge_without_a_robot_invents_none(server: RosbridgeServer) ->
 
 
 async def test_the_world_goes_on_untouched() -> None:
-    world = World(robots=2, floors=1, seed=1, quiet=True)
+    world = OhFleet(robots=2, floors=1, seed=1, quiet=True)
     server = RosbridgeServer(world)
     await server.start()
     await discovered(server.url)

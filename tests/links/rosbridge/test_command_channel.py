@@ -9,7 +9,7 @@ from fleet_tui.model.commands import CancelOrder, PauseRobot, ResumeRobot, Stage
 from fleet_tui.model.events import CommandAdvanced
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.simulator.kinds import play
-from fleet_tui.simulator.oh_ressources.world import World
+from fleet_tui.simulator.oh_ressources.fleet import OhFleet
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.fleets import place_order
 from tests.support.links import finished, linked, path, phase, ready
@@ -36,7 +36,7 @@ async def test_a_cancel_that_would_mean_all_never_leaves(server: RosbridgeServer
 
 
 async def test_a_command_without_a_link_is_refused_at_once_and_never_sent_later() -> None:
-    server = RosbridgeServer(World(robots=1, floors=1, seed=1, quiet=True))
+    server = RosbridgeServer(OhFleet(robots=1, floors=1, seed=1, quiet=True))
     await server.start()
     url, port = server.url, int(server.url.rpartition(":")[2])
     await server.stop()
@@ -45,7 +45,7 @@ async def test_a_command_without_a_link_is_refused_at_once_and_never_sent_later(
         assert state.links["rosbridge"].reason == "connection refused"
         record = await finished(link, store, PauseRobot("robot_0"))
         assert record.stage is Stage.NOT_SENT
-        late = RosbridgeServer(World(robots=1, floors=1, seed=1, quiet=True), port=port)
+        late = RosbridgeServer(OhFleet(robots=1, floors=1, seed=1, quiet=True), port=port)
         await late.start()
         await store.until(ready)
         assert (await finished(link, store, ResumeRobot("robot_0"))).stage is Stage.CONFIRMED
@@ -84,7 +84,7 @@ async def test_a_call_never_answered_is_no_answer_and_then_not_confirmed(server:
 
 async def test_commands_do_not_wait_behind_subscriptions() -> None:
     """With 15 ms for each subscribe, as on a real bridge, a burst takes longer than a command may."""
-    server = RosbridgeServer(World(robots=20, floors=2, seed=1, quiet=True), subscribe_delay=0.015)
+    server = RosbridgeServer(OhFleet(robots=20, floors=2, seed=1, quiet=True), subscribe_delay=0.015)
     await server.start()
     async with linked(config_of(server.url, 20, 2)) as (link, store):
         await store.until(path(CommandPath.ALIVE))

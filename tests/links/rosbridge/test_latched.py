@@ -12,7 +12,7 @@ from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.link import CommandPath, Phase
 from fleet_tui.simulator.faults import wire
 from fleet_tui.simulator.kinds import play
-from fleet_tui.simulator.oh_ressources.world import World
+from fleet_tui.simulator.oh_ressources.fleet import OhFleet
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.fleets import R0, place_order
@@ -29,7 +29,7 @@ LATCHED = ("graph", "labeled_vertices", "map_metadata", "map")
 async def server(monkeypatch: pytest.MonkeyPatch) -> AsyncIterator[RosbridgeServer]:
     monkeypatch.setattr(connection, "FIRST_DELAY", 0.05)
     monkeypatch.setattr(connection, "LONGEST_DELAY", 0.2)
-    server = RosbridgeServer(World(2, 1, seed=1, quiet=True), dialect=ROS2)
+    server = RosbridgeServer(OhFleet(2, 1, seed=1, quiet=True), dialect=ROS2)
     await server.start()
     yield server
     await server.stop()
@@ -190,7 +190,7 @@ async def test_what_came_while_other_topics_were_asked_for_is_not_fetched_again(
 ) -> None:
     monkeypatch.setattr(latched, "FIRST_PATIENCE", HANGS)
     monkeypatch.setattr(subscriber, "AT_ONCE", 10)
-    server = RosbridgeServer(World(12, 1, seed=1, quiet=True), dialect=ROS2)
+    server = RosbridgeServer(OhFleet(12, 1, seed=1, quiet=True), dialect=ROS2)
     await server.start()
     server.bridge.started -= LONG_AGO
     try:

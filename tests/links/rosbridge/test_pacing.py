@@ -11,7 +11,7 @@ from fleet_tui.links.rosbridge.pacing import SHARE
 from fleet_tui.model.attention import Attention, Rates, SeenArea
 from fleet_tui.model.commands import PauseRobot, Stage
 from fleet_tui.model.events import SubscriptionsAdvanced
-from fleet_tui.simulator.oh_ressources.world import World
+from fleet_tui.simulator.oh_ressources.fleet import OhFleet
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.links import finished, linked, ready
 from tests.support.watched_store import config_of
@@ -23,7 +23,7 @@ LATCHED = ("graph", "labeled_vertices", "map_metadata")
 
 @pytest.fixture
 async def server() -> AsyncIterator[RosbridgeServer]:
-    running = RosbridgeServer(World(robots=ROBOTS, floors=1, seed=1, quiet=True))
+    running = RosbridgeServer(OhFleet(robots=ROBOTS, floors=1, seed=1, quiet=True))
     await running.start()
     yield running
     await running.stop()

@@ -6,7 +6,7 @@ import pytest
 
 from fleet_tui.model.fleet import behind_text
 from fleet_tui.robots.ros.reading import FrameReader, Read
-from fleet_tui.simulator.oh_ressources.world import World
+from fleet_tui.simulator.oh_ressources.fleet import OhFleet
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.situation.links import LATE_FROM
 from tests.support.links import linked, ready
@@ -17,7 +17,7 @@ ROBOTS = 10
 
 
 async def test_a_console_that_is_behind_says_so_and_blames_no_robot(monkeypatch: pytest.MonkeyPatch) -> None:
-    server = RosbridgeServer(World(robots=ROBOTS, floors=1, seed=1, quiet=True))
+    server = RosbridgeServer(OhFleet(robots=ROBOTS, floors=1, seed=1, quiet=True))
     await server.start()
     read, slowness = FrameReader.read, 0.0
 

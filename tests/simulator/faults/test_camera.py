@@ -10,15 +10,15 @@ from PIL import Image
 from fleet_tui.simulator.faults import camera
 from fleet_tui.simulator.kinds import play
 from fleet_tui.simulator.move_base.fleet import MoveBaseFleet
-from fleet_tui.simulator.oh_ressources.world import World
+from fleet_tui.simulator.oh_ressources.fleet import OhFleet
 from fleet_tui.simulator.senses.camera import NAME
 from fleet_tui.simulator.server import RosbridgeServer
 
 TOPIC = f"/robot_0/{NAME}"
 
 
-def planted(fault: str, world: World | MoveBaseFleet | None = None) -> RosbridgeServer:
-    server = RosbridgeServer(world or World(1, 1, seed=1, quiet=True))
+def planted(fault: str, world: OhFleet | MoveBaseFleet | None = None) -> RosbridgeServer:
+    server = RosbridgeServer(world or OhFleet(1, 1, seed=1, quiet=True))
     play(server, [(fault, "robot_0")])
     return server
 

@@ -9,15 +9,13 @@ from fleet_tui.simulator.faults.hand import EVERY, foreign_drive, no_timeout
 from fleet_tui.simulator.move_base.fleet import MoveBaseFleet
 from fleet_tui.simulator.nav2.fleet import Nav2Fleet
 from fleet_tui.simulator.oh_ressources.fleet import OhFleet
-from fleet_tui.simulator.oh_ressources.world import World
-from fleet_tui.simulator.ros.dialect import Dialect
-from fleet_tui.simulator.ros.ros1 import ROS1
+from fleet_tui.simulator.ros.dialect import ROS1, Dialect
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.twists import twist
 
 FLEETS: list[tuple[Any, Dialect]] = [
-    (lambda: OhFleet(World(1, 1, quiet=True)), ROS1),
+    (lambda: OhFleet(1, 1, quiet=True), ROS1),
     (lambda: MoveBaseFleet(1, 1, quiet=True), ROS1),
     (lambda: Nav2Fleet(1, 1, quiet=True), ROS2),
 ]
@@ -41,7 +39,7 @@ def test_without_a_timeout_the_last_twist_counts_for_ever(make: Any, dialect: Di
 
 
 def test_another_client_drives_only_after_a_hand() -> None:
-    fleet = OhFleet(World(1, 1, quiet=True))
+    fleet = OhFleet(1, 1, quiet=True)
     server = RosbridgeServer(fleet)
     foreign_drive(server, "robot_0")
     server.bridge.topics["/robot_0/cmd_vel"] = server.bridge.topics["/robot_0/pose"]

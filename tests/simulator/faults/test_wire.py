@@ -13,7 +13,7 @@ from websockets.exceptions import ConnectionClosed
 
 from fleet_tui.simulator.faults import parse_faults, wire
 from fleet_tui.simulator.kinds import play
-from fleet_tui.simulator.oh_ressources.world import World
+from fleet_tui.simulator.oh_ressources.fleet import OhFleet
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.polling import HANGS
 
@@ -22,7 +22,7 @@ ORDER = "/robot_0/Application_layout/Execute_order"
 
 @asynccontextmanager
 async def served(name: str) -> AsyncIterator[tuple[RosbridgeServer, ClientConnection]]:
-    server = RosbridgeServer(World(1, 1, seed=1, quiet=True))
+    server = RosbridgeServer(OhFleet(1, 1, seed=1, quiet=True))
     play(server, parse_faults(name, server.world.robots))
     await server.start()
     async with connect(server.url) as client:
@@ -183,7 +183,7 @@ async def test_a_dropped_connection_was_no_dropped_order() -> None:
 
 
 async def test_a_stale_pose_stays_away_and_the_rest_comes() -> None:
-    server = RosbridgeServer(World(1, 1, seed=1, quiet=True))
+    server = RosbridgeServer(OhFleet(1, 1, seed=1, quiet=True))
     play(server, parse_faults("stale", server.world.robots))
     await server.start()
     async with connect(server.url) as client:

@@ -5,10 +5,11 @@ import json
 import pytest
 
 from fleet_tui.simulator.faults import FAULTS, parse_faults
-from fleet_tui.simulator.faults.world import FLAT, FOREIGN, FOREIGN_PAUSE, JUMP
+from fleet_tui.simulator.faults.plays import FLAT
+from fleet_tui.simulator.faults.world import FOREIGN, FOREIGN_PAUSE, JUMP
 from fleet_tui.simulator.kinds import play
-from fleet_tui.simulator.messages import topics_of
-from fleet_tui.simulator.oh_ressources.world import World
+from fleet_tui.simulator.oh_ressources.fleet import OhFleet
+from fleet_tui.simulator.oh_ressources.messages import topics_of
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.text.errors import ConfigError
 
@@ -37,9 +38,9 @@ def test_every_wrong_name_is_answered_with_the_nearest() -> None:
             parse_faults(name, NAMES)
 
 
-def planted(name: str) -> World:
+def planted(name: str) -> OhFleet:
     """robot_0 with the fault and an order to drive, robot_1 without either."""
-    server = RosbridgeServer(World(2, 1, seed=1, quiet=True))
+    server = RosbridgeServer(OhFleet(2, 1, seed=1, quiet=True))
     play(server, parse_faults(f"{name}:robot_0", server.world.robots))
     args = {"request_id": 1, "initial_point": 19, "end_point": 0}
     if name != "silent":
@@ -82,7 +83,7 @@ def test_the_other_faults_of_a_robot() -> None:
     assert (robot.orders, robot.last_order_id, robot.paused) == ([], 0, False)
 
 
-def statuses(world: World) -> list[str]:
+def statuses(world: OhFleet) -> list[str]:
     """The status of each order in the report of robot_0's queue."""
     (queue,) = (topic for topic in topics_of(world, 0.0) if topic.name == "/robot_0/queue")
     return [order["status"] for order in json.loads(queue.payload(0.0).json)["orders"]]
@@ -113,7 +114,7 @@ def test_another_console_pauses_once_for_a_while() -> None:
 
 
 def test_another_console_is_as_slow_in_a_fast_world() -> None:
-    server = RosbridgeServer(World(1, 1, seed=1, quiet=True), speed=10.0)
+    server = RosbridgeServer(OhFleet(1, 1, seed=1, quiet=True), speed=10.0)
     play(server, parse_faults("foreign-cancel", server.world.robots))
     server.world.robots["robot_0"].take(19, 0, request_id=1)
     server.world.step(10 * FOREIGN - 1.0)

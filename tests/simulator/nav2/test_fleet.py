@@ -7,10 +7,9 @@ import pytest
 from websockets.asyncio.client import ClientConnection, connect
 
 from fleet_tui.simulator.fleets import Fleet
+from fleet_tui.simulator.graph_files import write_graphs
 from fleet_tui.simulator.nav2.fleet import Nav2Fleet
-from fleet_tui.simulator.navigating.graph_file import write_graphs
 from fleet_tui.simulator.oh_ressources.fleet import OhFleet
-from fleet_tui.simulator.oh_ressources.world import World
 from fleet_tui.simulator.ros.goals import CANCELED, EXECUTING
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
@@ -98,10 +97,7 @@ async def test_waypoints_end_with_what_was_missed(client: ClientConnection, flee
 
 
 async def test_fleets_of_several_kinds_share_a_bridge() -> None:
-    fleets: list[Fleet] = [
-        OhFleet(World(2, 1, seed=1, quiet=True)),
-        Nav2Fleet(1, 1, seed=1, quiet=True, first=2),
-    ]
+    fleets: list[Fleet] = [OhFleet(2, 1, seed=1, quiet=True), Nav2Fleet(1, 1, seed=1, quiet=True, first=2)]
     server = RosbridgeServer(fleets, speed=20.0, dialect=ROS2)
     assert list(server.bridge.services.robots) == ["robot_0", "robot_1", "robot_2"]
     await server.start()

@@ -6,7 +6,7 @@ import json
 from websockets.asyncio.client import ClientConnection, connect
 
 from fleet_tui.simulator.nav2.fleet import Nav2Fleet
-from fleet_tui.simulator.oh_ressources.world import World
+from fleet_tui.simulator.oh_ressources.fleet import OhFleet
 from fleet_tui.simulator.ros.goals import EXECUTING
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.nav2_client import TO_POSE, give, pose, result, settle
@@ -37,7 +37,7 @@ async def test_the_senders_connection_alone_cancels_by_its_own_id(
 
 
 async def test_a_bridge_of_ros_1_knows_no_goals() -> None:
-    server = RosbridgeServer(World(1, 1, seed=1, quiet=True))
+    server = RosbridgeServer(OhFleet(1, 1, seed=1, quiet=True))
     await server.start()
     async with connect(server.url, close_timeout=0.1) as client:
         await give(client, "a", TO_POSE, pose=pose(8.0, 0.0))

@@ -9,17 +9,17 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from fleet_tui.model.geometry import Pose
+from fleet_tui.simulator.messages import stamped
 from fleet_tui.simulator.nav2.navigation import DOCK, THROUGH, TO_POSE, WAYPOINTS, SimNavigation
-from fleet_tui.simulator.nav2.world import Nav2World
-from fleet_tui.simulator.navigating.poses import stamped
+from fleet_tui.simulator.navigating.world import NavigatingWorld
 from fleet_tui.simulator.ros.goals import ABORTED, CANCELED, EXECUTING, SUCCEEDED, ServedGoal
 
 NO_ROBOTS = bytes(16)
 FAR, NEAR = (35.0, 20.0), (8.0, 0.0)
 
 
-def world() -> tuple[Nav2World, SimNavigation]:
-    it = Nav2World(1, 1, seed=1, quiet=True)
+def world() -> tuple[NavigatingWorld[SimNavigation], SimNavigation]:
+    it = NavigatingWorld(SimNavigation, 1, 1, seed=1, quiet=True)
     return it, it.navigation["robot_0"]
 
 
@@ -40,7 +40,7 @@ def driven(navigation: SimNavigation, *spot: float) -> ServedGoal:
     return goal
 
 
-def finish(it: Nav2World, goal: ServedGoal, limit: float = 300.0) -> None:
+def finish(it: NavigatingWorld[SimNavigation], goal: ServedGoal, limit: float = 300.0) -> None:
     end = it.time + limit
     while not goal.over:
         it.step(0.1)

@@ -5,9 +5,9 @@ from pathlib import Path
 
 import pytest
 
+from fleet_tui.simulator.graph_files import write_graphs
 from fleet_tui.simulator.nav2 import fleet
 from fleet_tui.simulator.nav2.fleet import RouteServers
-from fleet_tui.simulator.navigating.graph_file import write_graphs
 
 POINT = '{"properties": {"id": 1}, "geometry": {"type": "Point", "coordinates": [1.0, 2.0]}}'
 

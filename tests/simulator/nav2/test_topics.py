@@ -6,8 +6,8 @@ import math
 from websockets.asyncio.client import ClientConnection
 
 from fleet_tui.model.geometry import Pose
+from fleet_tui.simulator.messages import flat
 from fleet_tui.simulator.nav2.fleet import Nav2Fleet
-from fleet_tui.simulator.navigating.poses import flat
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.nav2_client import TO_POSE, listen, settle, statuses, until

@@ -1,18 +1,18 @@
 """A world of robots with Nav2: what another client does with every second robot, and that the seed is all."""
 
-from fleet_tui.simulator.nav2.navigation import TO_POSE, WAYPOINTS
-from fleet_tui.simulator.nav2.world import Nav2World
+from fleet_tui.simulator.nav2.navigation import TO_POSE, WAYPOINTS, SimNavigation
+from fleet_tui.simulator.navigating.world import NavigatingWorld
 from fleet_tui.simulator.robot import LOW
 
 
-def run(world: Nav2World, seconds: int) -> None:
+def run(world: NavigatingWorld[SimNavigation], seconds: int) -> None:
     for _ in range(seconds):
         world.step(1.0)
 
 
 def test_the_same_seed_gives_the_same_run() -> None:
     def lived(seed: int) -> list[object]:
-        world = Nav2World(3, 2, seed)
+        world = NavigatingWorld(SimNavigation, 3, 2, seed)
         run(world, 60)
         return [(robot.pose, robot.odom, robot.battery) for robot in world.robots.values()]
 
@@ -20,7 +20,7 @@ def test_the_same_seed_gives_the_same_run() -> None:
 
 
 def test_at_the_start_nobody_has_a_goal_and_later_every_second_robot() -> None:
-    world = Nav2World(4, 1, seed=1)
+    world = NavigatingWorld(SimNavigation, 4, 1, seed=1)
     assert not any(navigation.busy for navigation in world.navigation.values())
     given: set[str] = set()
     for _ in range(40):
@@ -30,7 +30,7 @@ def test_at_the_start_nobody_has_a_goal_and_later_every_second_robot() -> None:
 
 
 def test_some_goals_are_tours() -> None:
-    world, verbs = Nav2World(4, 1, seed=1), set[str]()
+    world, verbs = NavigatingWorld(SimNavigation, 4, 1, seed=1), set[str]()
     for _ in range(400):
         run(world, 1)
         servers = [server for one in world.navigation.values() for server in one.servers.values()]
@@ -39,7 +39,7 @@ def test_some_goals_are_tours() -> None:
 
 
 def test_who_is_low_docks_and_charges() -> None:
-    world = Nav2World(1, 1, seed=1)
+    world = NavigatingWorld(SimNavigation, 1, 1, seed=1)
     robot = world.robots["robot_0"]
     robot.battery = LOW - 1.0
     run(world, 90)

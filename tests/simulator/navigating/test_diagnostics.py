@@ -3,7 +3,7 @@
 import pytest
 
 from fleet_tui.simulator.logs import BROKEN, DOUBTFUL, HEALTHY
-from fleet_tui.simulator.navigating.diagnostics import health
+from fleet_tui.simulator.navigating.fleet import health
 from fleet_tui.simulator.navigating.robot import LOST, SURE
 from tests.support.navigating import robot
 

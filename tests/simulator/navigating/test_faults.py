@@ -10,9 +10,10 @@ from websockets.asyncio.client import connect
 
 from fleet_tui.simulator.faults import camera
 from fleet_tui.simulator.faults.hand import FAULTS as HAND
+from fleet_tui.simulator.faults.plays import FLAT
 from fleet_tui.simulator.move_base.fleet import MoveBaseFleet
 from fleet_tui.simulator.nav2.fleet import Nav2Fleet
-from fleet_tui.simulator.navigating.faults import AWHILE, BODY, EVERY, FLAT
+from fleet_tui.simulator.navigating.faults import AWHILE, BODY, EVERY
 from fleet_tui.simulator.navigating.robot import LOST, NavigatingRobot
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.nav2_client import latest

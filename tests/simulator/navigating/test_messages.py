@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 from fleet_tui.model.geometry import Pose
+from fleet_tui.simulator.messages import grid, headers
 from fleet_tui.simulator.navigating import messages
 from fleet_tui.simulator.ros.definitions import MESSAGES
-from fleet_tui.simulator.ros.dialect import Dialect
+from fleet_tui.simulator.ros.dialect import ROS1, Dialect
 from fleet_tui.simulator.ros.encoding import encode
-from fleet_tui.simulator.ros.ros1 import ROS1
 from fleet_tui.simulator.ros.ros2 import ROS2
 from tests.support.navigating import FLOOR, robot
 
@@ -19,23 +19,23 @@ DIALECTS = pytest.mark.parametrize("dialect", [ROS1, ROS2], ids=["ros1", "ros2"]
 
 @DIALECTS
 def test_each_has_every_field_of_its_type(dialect: Dialect) -> None:
-    it, header = robot(), messages.headers(dialect)
+    it, header = robot(), headers(dialect)
     it.way = [(1.0, 2.0)]
     for type_, message in {
         "nav_msgs/Odometry": messages.odometry(it, dialect, header(1.0)),
         "geometry_msgs/PoseWithCovarianceStamped": messages.localisation(it.pose, 0.5, dialect, header(1.0)),
         "sensor_msgs/BatteryState": messages.battery(it, header(1.0)),
         "nav_msgs/Path": messages.path(it, header(1.0)),
-        "nav_msgs/OccupancyGrid": messages.grid(FLOOR.cells, (0.0, 0.0), header(1.0), dialect.time(1.0)),
+        "nav_msgs/OccupancyGrid": grid(FLOOR.cells, (0.0, 0.0), header(1.0), dialect.time(1.0)),
     }.items():
         assert set(message) == set(MESSAGES[type_])
         assert encode(dialect, dialect.short(dialect.message_type(type_)), message)
 
 
 def test_headers_count_on_ros_1_and_have_a_frame() -> None:
-    header = messages.headers(ROS1, "odom")
+    header = headers(ROS1, "odom")
     assert [header(float(n))["seq"] for n in range(3)] == [1, 2, 3]
-    assert header(7.0)["frame_id"] == "odom" and "seq" not in messages.headers(ROS2)(1.0)
+    assert header(7.0)["frame_id"] == "odom" and "seq" not in headers(ROS2)(1.0)
 
 
 def test_a_covariance_has_the_variance_where_it_belongs() -> None:

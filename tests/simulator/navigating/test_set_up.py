@@ -1,13 +1,13 @@
-"""Poses set from outside, as amcl takes them."""
+"""Poses set from outside, as amcl takes them, and the services of set-up."""
 
 from typing import Any
 
 from fleet_tui.model.geometry import Pose
-from fleet_tui.simulator.nav2.world import Nav2World
-from fleet_tui.simulator.navigating.poses import solid
-from fleet_tui.simulator.navigating.set_up import SetUpDesk, by_hand
+from fleet_tui.simulator.messages import solid
+from fleet_tui.simulator.nav2.fleet import Nav2Fleet
 from fleet_tui.simulator.ros.ros2 import ROS2
-from tests.support.navigating import robot
+
+TOPIC = "/robot_0/initialpose"
 
 
 def message(frame: str = "map", **turn: float) -> dict[str, Any]:
@@ -16,36 +16,41 @@ def message(frame: str = "map", **turn: float) -> dict[str, Any]:
     return {"header": {"frame_id": frame}, "pose": {"pose": pose, "covariance": [0.0] * 36}}
 
 
+def made() -> Nav2Fleet:
+    return Nav2Fleet(1, 1, seed=1, quiet=True)
+
+
 def test_a_pose_becomes_the_belief_and_is_published() -> None:
-    it = robot()
-    topic, (_, take) = next(iter(by_hand({it.name: it}).items()))
-    assert topic == "/robot_0/initialpose" and not it.localise()
+    fleet = made()
+    it, (_, take) = fleet.robots["robot_0"], fleet.subscriptions()[TOPIC]
+    assert not it.localise()
     take(message())
     assert it.localise() and (it.estimate.x, it.estimate.y) == (9.0, 9.0) and not it.localise()
 
 
 def test_a_foreign_frame_and_a_crooked_quaternion_are_dropped() -> None:
-    it = robot()
-    _, take = next(iter(by_hand({it.name: it}).values()))
+    fleet = made()
+    _, take = fleet.subscriptions()[TOPIC]
     take(message("odom"))
     take(message(w=0.0))
-    assert it.belief.misplaced is None
+    assert fleet.robots["robot_0"].belief.misplaced is None
 
 
 def test_services_localise_and_switch_mapping() -> None:
-    world = Nav2World(1, 1, seed=1, quiet=True)
-    desk = SetUpDesk(world, "find", "slam")
-    it = world.robots["robot_0"]
-    assert set(desk.services(ROS2)) == {
-        f"/robot_0/{part}" for part in ("find", "slam", "request_nomotion_update")
-    }
+    fleet = made()
+    it = fleet.robots["robot_0"]
+    list(fleet.news(ROS2))
+    settle, find, slam = (
+        f"/robot_0/{part}"
+        for part in ("request_nomotion_update", fleet.localise_service, fleet.mapping_service)
+    )
+    assert {settle, find, slam} <= fleet.services(ROS2).keys()
     it.place(Pose(9.0, 9.0))
     assert it.localise() and not it.localise()
-    assert desk.answer("/robot_0/request_nomotion_update", {}) == {} and it.localise()
+    assert fleet.answer(settle, {}) == {} and it.localise()
     assert it.belief.misplaced is not None
-    assert desk.answer("/robot_0/find", {}) == {} and it.belief.misplaced is None
-    assert desk.answer("/robot_0/slam", {"data": False}) == {"success": True, "message": ""}
-    world.step(1.0)
-    assert {topic for topic, _ in desk.news(ROS2)} == {"/robot_0/mode", "/map"}
-    assert [topic.name for topic in desk.topics(1.0, ROS2)] == ["/map", "/robot_0/mode"]
-    assert desk.answer("/robot_0/other", {}) is None
+    assert fleet.answer(find, {}) == {} and it.belief.misplaced is None
+    assert it.localise()
+    assert fleet.answer(slam, {"data": False}) == {"success": True, "message": ""}
+    fleet.step(1.0)
+    assert {topic for topic, _ in fleet.news(ROS2)} == {"/robot_0/mode", "/map"}

@@ -1,25 +1,23 @@
 """Topics of robots that navigate: one map or one for each floor, and what is said only at times."""
 
-from fleet_tui.simulator.navigating.topics import body_topics, map_topics, plan_topic
-from fleet_tui.simulator.ros.ros1 import ROS1
+from fleet_tui.simulator.move_base.fleet import MoveBaseFleet
+from fleet_tui.simulator.nav2.fleet import Nav2Fleet
+from fleet_tui.simulator.navigating.fleet import body_topics, plan_topic
+from fleet_tui.simulator.ros.dialect import ROS1
 from fleet_tui.simulator.ros.ros2 import ROS2
 from fleet_tui.simulator.senses.camera import NAME
-from fleet_tui.simulator.senses.mapping import Surveys
-from fleet_tui.simulator.warehouse import build_building
 from tests.support.navigating import robot
 
 
 def test_one_floor_has_one_map_and_several_have_each_theirs_and_robots_say_where_they_are() -> None:
-    robots = {f"robot_{n}": robot(n) for n in range(2)}
-    surveys = Surveys(robots, lambda _: [])
-    assert [one.name for one in map_topics(build_building(1), robots, surveys, 1.0, ROS1)] == [
-        *("/map", "/map_metadata")
-    ]
-    several = list(map_topics(build_building(2), robots, surveys, 1.0, ROS2))
+    one = [topic.name for topic in MoveBaseFleet(2, 1).topics(1.0, ROS1)]
+    assert one[:2] == ["/map", "/map_metadata"] and "/robot_0/floor" not in one
+    fleet = Nav2Fleet(2, 2)
+    several = list(fleet.topics(1.0, ROS2))[:4]
     names = ["/floor_0/map", "/floor_1/map", "/robot_0/floor", "/robot_1/floor"]
     assert [one.name for one in several] == names and all(one.latched for one in several)
     assert several[2].type == "std_msgs/msg/String"
-    assert several[2].payload(0.0).msg == {"data": robots["robot_0"].floor.name}
+    assert several[2].payload(0.0).msg == {"data": fleet.robots["robot_0"].floor.name}
     assert several[0].payload(0.0) is several[0].payload(9.0), "it is encoded once"
 
 

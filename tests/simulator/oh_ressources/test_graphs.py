@@ -7,8 +7,7 @@ from typing import Any
 import pytest
 
 from fleet_tui.simulator.oh_ressources.fleet import OhFleet
-from fleet_tui.simulator.oh_ressources.world import World
-from fleet_tui.simulator.ros.ros1 import ROS1
+from fleet_tui.simulator.ros.dialect import ROS1
 
 GRAPH, LABELS = "graph", "labeled_vertices"
 
@@ -42,7 +41,7 @@ def latched(fleet: OhFleet, name: str, robot: str = "robot_0", floor: str = "flo
 
 
 def quiet(floors: int = 1, robots: int = 2) -> OhFleet:
-    return OhFleet(World(robots, floors, seed=1, quiet=True))
+    return OhFleet(robots, floors, seed=1, quiet=True)
 
 
 def test_all_robots_of_the_world_get_it_and_publish_it() -> None:
@@ -70,7 +69,7 @@ def test_labels_never_outlive_their_vertices() -> None:
 
 def test_a_robot_whose_vertex_is_gone_drives_on_from_the_nearest() -> None:
     fleet = quiet()
-    robot = fleet.world.robots["robot_0"]
+    robot = fleet.robots["robot_0"]
     robot.take(0, 1, 1)
     fleet.step(4.0)
     take(fleet, "graph_save", ROW)
@@ -84,7 +83,7 @@ def test_a_robot_whose_vertex_is_gone_drives_on_from_the_nearest() -> None:
 
 def test_an_order_to_a_vertex_that_is_gone_waits_for_its_end() -> None:
     fleet = quiet()
-    robot = fleet.world.robots["robot_0"]
+    robot = fleet.robots["robot_0"]
     robot.take(0, 1, 1)
     take(fleet, "graph_save", ROW)
     fleet.step(60.0)
@@ -98,8 +97,8 @@ def test_an_order_to_a_vertex_that_is_gone_waits_for_its_end() -> None:
 
 def test_cargo_of_an_order_in_process_stays_on_board() -> None:
     fleet = quiet()
-    robot = fleet.world.robots["robot_0"]
-    other = next(id_ for id_ in fleet.world.building.graph.vertices if id_ != robot.vertex)
+    robot = fleet.robots["robot_0"]
+    other = next(id_ for id_ in fleet.building.graph.vertices if id_ != robot.vertex)
     robot.take(robot.vertex, other, 1)
     fleet.step(4.0)
     assert robot.cargo
@@ -136,15 +135,15 @@ def test_edges_to_unknown_vertices_are_dropped() -> None:
 def test_a_busy_world_lives_on_without_labels_lifts_and_chargers(
     seed: int, labels: dict[str, str], types: dict[int, str]
 ) -> None:
-    fleet = OhFleet(World(4, 2, seed=seed))
+    fleet = OhFleet(4, 2, seed=seed)
     fleet.step(20.0 + seed * 7.3)
     row = drawn((50, 0.0, 0.0), (51, 4.0, 0.0), (52, 8.0, 0.0), types=types)
     take(fleet, "graph_save", row)
     take(fleet, "labels_save", named(**labels))
     fleet.step(200.0)
     take(fleet, "graph_save", drawn((7, 3.0, 3.0)), floor="floor_1")
-    for robot in fleet.world.robots.values():
+    for robot in fleet.robots.values():
         robot.battery = 20.0
     fleet.step(200.0)
-    known = fleet.world.building.graph.vertices
-    assert all(robot.vertex in known for robot in fleet.world.robots.values())
+    known = fleet.building.graph.vertices
+    assert all(robot.vertex in known for robot in fleet.robots.values())

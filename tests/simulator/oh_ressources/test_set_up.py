@@ -3,8 +3,7 @@
 import math
 from typing import Any
 
-from fleet_tui.simulator.oh_ressources.fleet import SUBSCRIPTIONS
-from fleet_tui.simulator.oh_ressources.world import World
+from fleet_tui.simulator.oh_ressources.fleet import SUBSCRIPTIONS, OhFleet
 
 
 def placed(x: float, y: float, frame: str = "floor_0", w: float = 1.0) -> dict[str, Any]:
@@ -15,8 +14,8 @@ def placed(x: float, y: float, frame: str = "floor_0", w: float = 1.0) -> dict[s
     }
 
 
-def world() -> World:
-    return World(1, 1, seed=1, quiet=True)
+def world() -> OhFleet:
+    return OhFleet(1, 1, seed=1, quiet=True)
 
 
 def test_a_pose_is_believed() -> None:

@@ -6,18 +6,18 @@ from typing import Any
 import pytest
 
 from fleet_tui.simulator.rmf.dispatcher import BIDDING
-from fleet_tui.simulator.rmf.fleet import RmfWorld
+from fleet_tui.simulator.rmf.fleet import RmfFleet
 from fleet_tui.simulator.rmf.tasks import SimTask
 
 STORE = {"category": "patrol", "description": {"places": ["Store"], "rounds": 1}}
 DIRECT = {"type": "robot_task_request", "fleet": "tiny", "robot": "robot_0", "request": STORE}
 
 
-def world() -> RmfWorld:
-    return RmfWorld(2, 1, seed=1, quiet=True)
+def world() -> RmfFleet:
+    return RmfFleet(2, 1, seed=1, quiet=True)
 
 
-def ask(it: RmfWorld, **request: Any) -> Any:
+def ask(it: RmfFleet, **request: Any) -> Any:
     answer = it.dispatcher.take(json.dumps(request), "q")
     return None if answer is None else answer[1]
 

@@ -1,12 +1,12 @@
 """Simulated lifts and doors follow robots."""
 
-from fleet_tui.simulator.rmf.fleet import RmfWorld
+from fleet_tui.simulator.rmf.fleet import RmfFleet
 from fleet_tui.simulator.rmf.lifts import CLOSED, OPEN
 from fleet_tui.simulator.rmf.tasks import SimTask
 
 
 def test_the_lift_goes_where_a_robot_rides() -> None:
-    world = RmfWorld(1, 2, seed=1, quiet=True)
+    world = RmfFleet(1, 2, seed=1, quiet=True)
     robot = next(iter(world.robots.values()))
     robot.assign(SimTask("a", ("Kitchen",)))
     seen = set()
@@ -18,7 +18,7 @@ def test_the_lift_goes_where_a_robot_rides() -> None:
 
 
 def test_a_door_opens_for_a_robot_nearby_and_closes_behind_it() -> None:
-    world = RmfWorld(1, 1, seed=1, quiet=True)
+    world = RmfFleet(1, 1, seed=1, quiet=True)
     (robot,), door = world.robots.values(), world.doors[0]
     door.spot = robot.body.pose.x, robot.body.pose.y
     world.step(0.1)

@@ -1,14 +1,14 @@
 """A simulated robot drives the places of its tasks."""
 
-from fleet_tui.simulator.rmf.fleet import RmfWorld
+from fleet_tui.simulator.rmf.fleet import RmfFleet
 from fleet_tui.simulator.rmf.member import CHARGING, PAUSED, SimMember
 from fleet_tui.simulator.rmf.tasks import SimTask
 
 ONE = "tiny/robot_0"
 
 
-def member() -> tuple[RmfWorld, SimMember]:
-    world = RmfWorld(1, 1, seed=1, quiet=True)
+def member() -> tuple[RmfFleet, SimMember]:
+    world = RmfFleet(1, 1, seed=1, quiet=True)
     return world, world.robots[ONE]
 
 

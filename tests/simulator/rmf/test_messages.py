@@ -6,10 +6,10 @@ from typing import Any
 import pytest
 
 from fleet_tui.simulator.rmf import fleet
-from fleet_tui.simulator.rmf.fleet import RmfWorld
+from fleet_tui.simulator.rmf.fleet import RmfFleet
 from fleet_tui.simulator.ros.ros2 import ROS2
 
-WORLD = RmfWorld(2, 2, seed=1, quiet=True)
+WORLD = RmfFleet(2, 2, seed=1, quiet=True)
 MEMBERS = list(WORLD.robots.values())
 SEEN = dict.fromkeys(WORLD.robots, 7.5)
 STAMP = {"sec": 7, "nanosec": 0}

@@ -4,10 +4,9 @@ import pytest
 from rosbags.typesys import Stores, get_types_from_msg, get_typestore
 
 from fleet_tui.simulator.ros.definitions import MESSAGES, Fields
-from fleet_tui.simulator.ros.dialect import Dialect
+from fleet_tui.simulator.ros.dialect import ROS1, Dialect
 from fleet_tui.simulator.ros.encoding import encode
 from fleet_tui.simulator.ros.filling import fill
-from fleet_tui.simulator.ros.ros1 import ROS1
 from fleet_tui.simulator.ros.ros2 import ROS2
 
 

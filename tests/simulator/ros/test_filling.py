@@ -5,10 +5,9 @@ from typing import Any
 import pytest
 
 from fleet_tui.simulator.ros.definitions import MESSAGES
-from fleet_tui.simulator.ros.dialect import Dialect
+from fleet_tui.simulator.ros.dialect import ROS1, Dialect
 from fleet_tui.simulator.ros.errors import ServiceError
 from fleet_tui.simulator.ros.filling import fill
-from fleet_tui.simulator.ros.ros1 import ROS1
 from fleet_tui.simulator.ros.ros2 import ROS2
 
 NOW = 12.5

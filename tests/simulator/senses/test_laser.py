@@ -8,9 +8,8 @@ import numpy as np
 
 from fleet_tui.model.geometry import Pose
 from fleet_tui.simulator.floorplan import RESOLUTION
-from fleet_tui.simulator.ros.ros1 import ROS1
-from fleet_tui.simulator.senses.laser import BEAMS, RANGE, ends, ranges, scan, scan_topic
-from fleet_tui.simulator.senses.mount import MOUNT
+from fleet_tui.simulator.ros.dialect import ROS1
+from fleet_tui.simulator.senses.laser import BEAMS, MOUNT, RANGE, ends, ranges, scan, scan_topic
 from tests.support.navigating import FLOOR, robot
 
 MIDDLE = Pose(8.0, 0.0, 0.0)
@@ -45,7 +44,7 @@ def test_a_scan_has_nulls_in_json_and_a_typed_array_in_cbor() -> None:
 def test_every_second_turn_has_a_scan_of_the_true_pose() -> None:
     it = robot()
     it.place(Pose(30.0, 9.0))
-    topic = scan_topic(it, lambda: FLOOR.cells, lambda _: {}, ROS1)
+    topic = scan_topic(it, ROS1)
     assert topic.due is not None and [topic.due() for _ in range(4)] == [True, False, True, False]
-    wanted = scan(FLOOR.cells, it.pose.after(MOUNT), {})
+    wanted = scan(FLOOR.cells, it.pose.after(MOUNT), ROS1.header(1, 0.0, "robot_0/laser"))
     assert topic.payload(0.0).json == wanted.json and topic.payload(0.0).msg["range_max"] == RANGE

@@ -3,7 +3,7 @@
 import numpy as np
 
 from fleet_tui.simulator.floorplan import ORIGIN, UNKNOWN
-from fleet_tui.simulator.ros.ros1 import ROS1
+from fleet_tui.simulator.ros.dialect import ROS1
 from fleet_tui.simulator.senses.mapping import Surveys
 from tests.support.navigating import FLOOR, robot
 

@@ -3,7 +3,7 @@
 import pytest
 
 from fleet_tui.simulator.frames import Frame
-from fleet_tui.simulator.sessions.outbox import UNBUFFERED, ClientSubscription, Outbox, SubscribeRequest
+from fleet_tui.simulator.sessions.client import UNBUFFERED, ClientSubscription, Outbox, SubscribeRequest
 
 
 def subscription(throttle: float = 0.0, queue_length: int = 1) -> ClientSubscription:

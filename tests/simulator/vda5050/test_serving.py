@@ -10,7 +10,7 @@ from fleet_tui.config.load import from_text
 from fleet_tui.maps.route_graphs import load_floor_graph
 from fleet_tui.model.commands import ClearOrders, PauseRobot, PlaceOrder, ResumeRobot, Stage
 from fleet_tui.model.order import at_vertices
-from fleet_tui.simulator.vda5050.graph_file import write_lif
+from fleet_tui.simulator.graph_files import write_lif
 from fleet_tui.simulator.vda5050.serving import vehicles_of
 from fleet_tui.text.errors import ConfigError
 from tests.support.in_pty import serving

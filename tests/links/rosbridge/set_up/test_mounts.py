@@ -14,12 +14,10 @@ from fleet_tui.links.rosbridge.set_up.stream_writer import Mounts
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.set_up.frames import Mount, Transform
 from fleet_tui.model.set_up.streams import Beams, LaserScan, beams_of
-from fleet_tui.simulator.oh_ressources.world import World
-from fleet_tui.simulator.ros.dialect import Dialect
-from fleet_tui.simulator.ros.ros1 import ROS1
+from fleet_tui.simulator.oh_ressources.fleet import OhFleet
+from fleet_tui.simulator.ros.dialect import ROS1, Dialect
 from fleet_tui.simulator.ros.ros2 import ROS2
-from fleet_tui.simulator.senses.laser import BEAMS, RANGE, ranges
-from fleet_tui.simulator.senses.mount import MOUNT
+from fleet_tui.simulator.senses.laser import BEAMS, MOUNT, RANGE, ranges
 from fleet_tui.simulator.server import RosbridgeServer
 from fleet_tui.state.streams import Streams
 from fleet_tui.text.limits import MOST_FRAMES
@@ -36,7 +34,7 @@ SCAN = LaserScan(np.ones(1, np.float32), 0.0, 0.1, 0.1, 9.0, "laser", None)
 @pytest.fixture(params=[ROS1, ROS2], ids=["ros1", "ros2"])
 async def site(request: pytest.FixtureRequest) -> AsyncIterator[RosbridgeServer]:
     dialect: Dialect = request.param
-    running = RosbridgeServer(World(robots=2, floors=1, seed=1, quiet=True), dialect=dialect)
+    running = RosbridgeServer(OhFleet(robots=2, floors=1, seed=1, quiet=True), dialect=dialect)
     await running.start()
     running.bridge.started -= LONG_AGO
     yield running

@@ -11,7 +11,7 @@ from fleet_tui.model.commands import CommandRecord, Stage
 from fleet_tui.model.geometry import Pose
 from fleet_tui.model.set_up.commands import Settle
 from fleet_tui.robots.profile import Profile
-from fleet_tui.simulator.ros_types import ServiceError
+from fleet_tui.simulator.ros.errors import ServiceError
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.links import finished, linked
 from tests.support.nav2_site import Site, nav2_ready, nav2_site

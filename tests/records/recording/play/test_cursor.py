@@ -22,7 +22,7 @@ from fleet_tui.records.recording.play.cursor import RecordingCursor
 from fleet_tui.records.recording.recorder import Recorder
 from fleet_tui.records.recording.recording import Recording
 from fleet_tui.records.recording.records import EventRecord
-from fleet_tui.simulator.oh_ressources.world import World
+from fleet_tui.simulator.oh_ressources.fleet import OhFleet
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.fleets import T0, WALL, place_order, pose
 from tests.support.links import finished, phase, ready
@@ -54,7 +54,7 @@ async def eventful(link: FleetLink, store: WatchedStore, server: RosbridgeServer
     link.post(AlarmAcknowledged(*state.alarms[0].key))
     link.post(AlarmShelved(*state.alarms[0].key, state.now + 1.0))
     await finished(link, store, PauseRobot("robot_0"))
-    other = RosbridgeServer(World(robots=2, floors=2, seed=2), port=port)
+    other = RosbridgeServer(OhFleet(robots=2, floors=2, seed=2), port=port)
     await other.start()
     await store.until(phase(Phase.UP))
     received = store.state.now

@@ -17,7 +17,7 @@ from fleet_tui.records.recording.play.cursor import RecordingCursor
 from fleet_tui.records.recording.recorder import Recorder
 from fleet_tui.records.recording.records import EventRecord, ReceivedFrame
 from fleet_tui.simulator.frames import OutgoingFrame, Payload
-from fleet_tui.simulator.oh_ressources.world import World
+from fleet_tui.simulator.oh_ressources.fleet import OhFleet
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.recordings import plain
 from tests.support.tapes import ORIGIN
@@ -44,7 +44,7 @@ def _width(state: FleetState) -> int:
 
 @pytest.mark.nightly
 async def test_two_bridges_and_a_large_map(tmp_path: Path, server: RosbridgeServer) -> None:
-    other = RosbridgeServer(World(robots=1, floors=1, seed=2, first=1))
+    other = RosbridgeServer(OhFleet(robots=1, floors=1, seed=2, first=1))
     await other.start()
     config = config_of(server.url, 2, 1)
     one, two = config.robots

@@ -6,7 +6,7 @@ from textual.widgets import Button, Input
 from fleet_tui.config.start import extended
 from fleet_tui.model.commands import CancelOrder, PauseRobot, ResumeRobot
 from fleet_tui.model.link import Phase
-from fleet_tui.simulator.oh_ressources.world import World
+from fleet_tui.simulator.oh_ressources.fleet import OhFleet
 from fleet_tui.simulator.server import RosbridgeServer
 from tests.support.console_pilot import console
 from tests.support.ordering import one_packet, order, place
@@ -108,7 +108,7 @@ async def test_a_call_never_answered_is_said(server: RosbridgeServer) -> None:
 
 
 async def test_loss_and_return_of_the_server_are_shown_and_heal() -> None:
-    first = RosbridgeServer(World(robots=1, floors=1, seed=1, quiet=True))
+    first = RosbridgeServer(OhFleet(robots=1, floors=1, seed=1, quiet=True))
     await first.start()
     port = int(first.url.rpartition(":")[2])
     async with console(config_of(first.url, 1)) as it:
@@ -123,7 +123,7 @@ async def test_loss_and_return_of_the_server_are_shown_and_heal() -> None:
         await it.press("o")
         await it.shows("no link: an order is not sent now, and not later")
         await it.press("escape")
-        second = RosbridgeServer(World(robots=1, floors=1, seed=1, quiet=True), port=port)
+        second = RosbridgeServer(OhFleet(robots=1, floors=1, seed=1, quiet=True), port=port)
         await second.start()
         await it.until(lambda state: state.links["rosbridge"].phase is Phase.UP)
         await it.hides("retry in")

@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from fleet_tui.simulator.navigating.graph_file import write_graphs
+from fleet_tui.simulator.graph_files import write_graphs
 from fleet_tui.simulator.warehouse import build_floor
 from fleet_tui.text.errors import FleetError
 from tests.support.command_line import run

@@ -2,9 +2,9 @@
 
 from fleet_tui.model.set_up.frames import Mount, mount_of
 from fleet_tui.robots.ros.set_up.frames import read_frames
-from fleet_tui.simulator.ros.ros1 import ROS1
+from fleet_tui.simulator.ros.dialect import ROS1
 from fleet_tui.simulator.ros.ros2 import ROS2
-from fleet_tui.simulator.senses.mount import MOUNT, frames_topic
+from fleet_tui.simulator.senses.laser import MOUNT, frames_topic
 
 
 def test_each_robot_tells_where_its_laser_is() -> None:

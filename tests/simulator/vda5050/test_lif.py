@@ -1,11 +1,11 @@
-"""The console reads what it writes."""
+"""The console reads the graphs that are written for simulated vehicles."""
 
 from pathlib import Path
 
 import pytest
 
 from fleet_tui.maps.route_graphs import load_floor_graph
-from fleet_tui.simulator.vda5050.graph_file import write_lif
+from fleet_tui.simulator.graph_files import write_lif
 from fleet_tui.text.errors import FleetError
 
 
@@ -17,4 +17,4 @@ def test_the_graph_of_each_floor_is_a_file_of_lif(tmp_path: Path) -> None:
     assert loaded.graph.path("0", "19")
     assert [loaded.labels[charger.id] for charger in loaded.graph.chargers] == ["Charger"]
     with pytest.raises(FleetError, match="cannot write"):
-        write_lif(tmp_path / "none", 1)
+        write_lif(files[0] / "below", 1)

@@ -2,8 +2,8 @@
 
 import pytest
 
+from fleet_tui.simulator.ros.dialect import ROS1
 from fleet_tui.simulator.ros.errors import ServiceError
-from fleet_tui.simulator.ros.ros1 import ROS1
 
 
 def test_names_are_those_of_the_packages() -> None:

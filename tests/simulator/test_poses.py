@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from fleet_tui.model.geometry import Pose
-from fleet_tui.simulator.navigating.poses import flat, solid, stamped
+from fleet_tui.simulator.messages import flat, solid, stamped
 
 
 @given(st.floats(-1e3, 1e3), st.floats(-1e3, 1e3), st.floats(-3.14, 3.14))
