@@ -98,13 +98,13 @@ def news(state: FleetState, robot: Robot) -> Iterator[Run]:
     unheard = absence(state, robot)
     if unheard is not None and not online:
         yield _absent(state, robot, unheard)
+    yield from _vehicle(state, robot)
     if (fact := obstacle(state, robot)) is not None:
         yield translate(fact.text), StyleRole.WARN if robot.name in shelved(state) else StyleRole.ALARM
     if (wait := deadlock(state, robot)) is not None:
         is_alarm = robot.name in in_trouble(state)
         yield translate(wait.text), StyleRole.ALARM if is_alarm else StyleRole.WARN
     yield from _navigation(state, robot)
-    yield from _vehicle(state, robot)
     yield from _member(state, robot)
     if state.is_paused(robot) and robot.last_received is not None:
         yield _paused(state, robot)

@@ -16,6 +16,7 @@ from fleet_tui.model.vehicles.events import VehicleReported
 from fleet_tui.model.vehicles.vehicle import Vehicle, VehicleError
 from fleet_tui.situation.activity import OBSTRUCTED, activities
 from fleet_tui.situation.alarms.trouble import waits
+from fleet_tui.situation.why.why import reasons
 from fleet_tui.text.language import Message
 from fleet_tui.ui.languages import ENGLISH, use_language
 from fleet_tui.ui.view.map.floor_scene import floor_scene
@@ -152,3 +153,13 @@ def test_a_shelved_obstacle_is_said_once_in_each_language() -> None:
         finally:
             use_language(ENGLISH)
         assert row.count("40 s") == 1, row
+
+
+def test_an_emergency_stop_comes_before_an_obstacle_in_row_title_and_reasons() -> None:
+    contact = ObstacleReported(R0, AT, 9.0)
+    state = reduced(standing(contact, ordered=False), vehicle(e_stop="MANUAL"), tick(AT))
+    table = fleet_table(state, R0, 100)
+    assert text_of(table.title).endswith(": 1 e-stop")
+    row = text_of(table.rows[0].runs)
+    assert row.index("e-stop (manual)") < row.index("obstacle 9.0 s")
+    assert reasons(state, state.robots[R0])[0].name == "e-stop (manual)"
