@@ -2,19 +2,17 @@
 
 from collections.abc import Iterable, Set
 
-from fleet_tui.model.alarm import Priority
 from fleet_tui.model.commands import Stage
 from fleet_tui.model.fleet import FleetState
 from fleet_tui.model.history.facts import Activity
 from fleet_tui.model.robot import Robot
-from fleet_tui.situation.alarms.trouble import is_halted
+from fleet_tui.situation.alarms.trouble import halting_fact, is_halted
 from fleet_tui.situation.battery.charging import charging_reported
-from fleet_tui.situation.facts import AGE_UNKNOWN, BAD_DATA, OBSTACLE, STUCK
+from fleet_tui.situation.facts import AGE_UNKNOWN, BAD_DATA, INACTIVE, OBSTACLE, STOP, STUCK
 from fleet_tui.situation.pauses import is_held
 from fleet_tui.situation.pose_checks.jumps import is_jumping
 from fleet_tui.situation.reported_motion import is_stuck, running_action, says_driving
-from fleet_tui.situation.robots import absence, obstacle
-from fleet_tui.situation.vehicles import FINDERS
+from fleet_tui.situation.robots import absence
 from fleet_tui.situation.why.orders import at_stop
 from fleet_tui.situation.why.robot import charges
 from fleet_tui.text.language import Message
@@ -27,7 +25,7 @@ OBSTRUCTED = Message("obstacle")
 BLOCKED = Message("blocked")
 LOADS = frozenset({"pick", "drop"})
 """Types of actions that load and unload."""
-OBSTRUCTIONS = frozenset({"stuck", "obstacle", "blocked", "navigation"})
+OBSTRUCTIONS = frozenset(kind.name for kind in (STUCK, OBSTACLE, STOP, INACTIVE))
 """Kinds of alarms of a robot that can't drive on."""
 
 
@@ -69,13 +67,12 @@ def _activity(state: FleetState, robot: Robot, blocked: Set[str], kept: Set[str]
 
 def halt_word(state: FleetState, robot: Robot) -> Message:
     """Return what keeps a robot that is blocked: the word of its row and of the counts."""
-    if robot.vehicle is not None and state.is_fresh(robot, "vehicle"):
-        for find in FINDERS:
-            if (fact := find(robot)) is not None and fact.priority is Priority.HIGH:
-                return fact.kind.word
-    if (fact := obstacle(state, robot)) is not None:
-        return OBSTRUCTED if fact.kind is OBSTACLE else BLOCKED
-    return STUCK.word if is_stuck(state, robot) else BLOCKED
+    fact = halting_fact(state, robot)
+    if fact is None:
+        return STUCK.word if is_stuck(state, robot) else BLOCKED
+    if fact.kind is OBSTACLE:
+        return OBSTRUCTED
+    return BLOCKED if fact.kind is STOP else fact.kind.word
 
 
 def may_do_anything(state: FleetState, robot: Robot) -> bool:

@@ -42,8 +42,6 @@ RETRY = 1.0
 # count in which this process and the writing thread could run.
 PATIENCE = 0.05
 LONGEST = 0.5
-# Seconds without a written line, whatever keeps this process busy.
-STOPPED = 2.0
 # Seconds of a look, and those by which it may be late in a process that can run.
 LOOK = 0.005
 ON_TIME = 0.005
@@ -186,7 +184,6 @@ class Audit:
             return
         written = self._written
         idle = longest = 0.0
-        wrote = began
         while not self.is_written and not self._problem and self._worker.is_running:
             look = time.monotonic()
             self._changed.wait(LOOK)
@@ -194,14 +191,12 @@ class Audit:
             if self._written != written:
                 written = self._written
                 idle = 0.0
-                wrote = time.monotonic()
             # A late look tells of a busy machine, and so does a thread that could run.
             if took < LOOK + ON_TIME and not self._worker.waits_for_processor:
                 longest += took
                 # A line that is not handed to the disk yet is not the disk's.
                 idle += took if self._is_writing else 0.0
-            is_stopped = time.monotonic() - wrote > STOPPED and not self._worker.waits_for_processor
-            if self._is_writing and (idle > PATIENCE or longest > LONGEST or is_stopped):
+            if self._is_writing and (idle > PATIENCE or longest > LONGEST):
                 self._hangs = True
                 LOG.error("audit: not written: %s: %s", self.file.path, HANGS)
                 break

@@ -11,6 +11,7 @@ from fleet_tui.orders.ends import seen_end
 from fleet_tui.orders.newest import is_paused_elsewhere
 from fleet_tui.situation.alarms.members import FAILED_MODES
 from fleet_tui.situation.battery.charging import CHARGES, ON_ITS_WAY
+from fleet_tui.situation.fact import Fact
 from fleet_tui.situation.facts import BAD_DATA
 from fleet_tui.situation.navigation import inactive
 from fleet_tui.situation.pose_checks.jumps import is_jumping
@@ -207,14 +208,20 @@ def to_look_at(state: FleetState) -> tuple[str, ...]:
     return _LOOKS.odd(state)
 
 
-def is_halted(state: FleetState, robot: Robot) -> bool:
-    """Tell whether a robot cannot drive by its own fresh reports: an obstacle, an emergency stop, a grave
-    error, a mode of its driver."""
-    if obstacle(state, robot) is not None:
-        return True
+def halting_fact(state: FleetState, robot: Robot) -> Fact | None:
+    """Find what keeps a robot from driving by its own fresh reports: an emergency stop, a grave error, an
+    obstacle."""
     if robot.vehicle is not None and state.is_fresh(robot, "vehicle"):
-        facts = (find(robot) for find in FINDERS)
-        return any(fact is not None and fact.priority is Priority.HIGH for fact in facts)
+        for find in FINDERS:
+            if (fact := find(robot)) is not None and fact.priority is Priority.HIGH:
+                return fact
+    return obstacle(state, robot)
+
+
+def is_halted(state: FleetState, robot: Robot) -> bool:
+    """Tell whether a robot cannot drive by its own fresh reports, a mode of its driver among them."""
+    if halting_fact(state, robot) is not None:
+        return True
     return robot.member is not None and robot.member.value.mode in FAILED_MODES and state.is_online(robot)
 
 

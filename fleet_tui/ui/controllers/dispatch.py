@@ -80,14 +80,13 @@ class Dispatch:
     def set_up_refusal(self, needed: Right = Right.SETUP) -> Message:
         """Return the reason that what needs a right can't begin at this console, empty if it can."""
         objection = self.permissions.objection(needed)
-        match objection.check if objection else "":
-            case "read-only":
-                return READ_ONLY
-            case "not armed" if objection and not self._backend.refusal:
-                return Message("not sent: {problem}", problem=objection.text)
-            case "not allowed" if objection:
-                return objection.text
-        return self._backend.refusal
+        if objection is None:
+            return self._backend.refusal
+        if objection.check == "read-only":
+            return READ_ONLY
+        if objection.check == "not armed":
+            return self._backend.refusal or Message("not sent: {problem}", problem=objection.text)
+        return objection.text
 
     def desk_refusal(self, needed: Right = Right.DISPATCH) -> Message:
         """Return the reason that nothing may be claimed or closed from this console, empty if it may: it need
